@@ -1,0 +1,223 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Tables of a plungeFoam case: gathered over restarts, and the numbers drawn from them."""
+
+from __future__ import annotations
+
+import csv
+import re
+import subprocess
+from pathlib import Path
+
+import numpy as np
+
+Table = dict[str, np.ndarray]  # column name (with unit) -> values
+Quantities = dict[str, tuple[float, str]]  # name -> (value, unit)
+
+G0 = 9.80665  # standard gravity, m/s2
+
+TRAJECTORY_COLUMNS = (
+    "time_s penetration_m speed_m_s deceleration_m_s2 deceleration_g x_m y_m z_m "
+    "vx_m_s vy_m_s vz_m_s a2_m_s2 a3_m_s2 pitch_deg Fpx_N Fpy_N Fpz_N Fvx_N Fvy_N Fvz_N Fgx_N Fgy_N Fgz_N"
+).split()
+LEDGER_COLUMNS = ["time_s", "error_percent_of_body_volume"]
+
+
+class CaseError(Exception):
+    """A case that cannot be reported on; the message says which file and why."""
+
+
+# --- tables ------------------------------------------------------------------
+
+
+def read_table(path: Path, required: list[str] | tuple[str, ...] = ("time_s",)) -> Table:
+    """Columns of a .csv whose first line names them, units included."""
+    if not path.is_file():
+        raise CaseError(f"{path}: not found")
+    text = path.read_text()
+    lines = text.splitlines()
+    if not lines:
+        raise CaseError(f"{path}: empty; expected a header line of column names")
+    names = [name.strip() for name in lines[0].lstrip("# ").split(",")]
+    missing = [name for name in required if name not in names]
+    if missing:
+        raise CaseError(
+            f"{path}: no column {', '.join(missing)}; the header has {', '.join(names)}"
+        )
+    if not text.endswith("\n"):
+        lines.pop()  # a run that was killed can leave half a line
+    rows = []
+    for number, line in enumerate(lines[1:], start=2):
+        try:
+            row = [float(value) for value in line.split(",")]
+        except ValueError:
+            raise CaseError(f"{path}, line {number}: expected numbers, found '{line}'") from None
+        if len(row) != len(names):
+            raise CaseError(f"{path}, line {number}: {len(row)} values for {len(names)} columns")
+        rows.append(row)
+    return dict(zip(names, np.array(rows).reshape(-1, len(names)).T))
+
+
+def write_table(path: Path, table: Table) -> None:
+    """Write columns as .csv, names (with units) in the first line."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with path.open("w", newline="") as file:
+        out = csv.writer(file, lineterminator="\n")
+        out.writerow(table)
+        out.writerows([f"{value:.10g}" for value in row] for row in zip(*table.values()))
+
+
+def merge_restarts(parts: list[tuple[float, Table, Path]]) -> Table:
+    """One table from the parts (start time in s, table, file) of a restarted run.
+
+    A later start overrides what an earlier part holds after that time.
+    """
+    merged: Table = {}
+    for start, table, path in sorted(parts, key=lambda part: part[0]):
+        if not merged:
+            merged = table
+            continue
+        if list(table) != list(merged):
+            raise CaseError(f"{path}: its columns differ from those of the earlier start times")
+        if not table["time_s"].size:
+            continue
+        # directory names are rounded to timePrecision, hence the tolerance
+        keep = merged["time_s"] <= start * (1 + 1e-6)
+        keep &= merged["time_s"] < table["time_s"][0]
+        merged = {name: np.concatenate((merged[name][keep], table[name])) for name in merged}
+    return merged
+
+
+def gather(case: Path) -> dict[str, Table]:
+    """The tables postProcessing/<functionObject>/<startTime>/<name>.csv, by name."""
+    found: dict[str, list[tuple[float, Table, Path]]] = {}
+    for path in sorted(case.glob("postProcessing/*/*/*.csv")):
+        try:
+            start = float(path.parent.name)
+        except ValueError:
+            continue
+        table = read_table(path)
+        if path.stem in found and found[path.stem][0][2].parents[1] != path.parents[1]:
+            raise CaseError(
+                f"{path} and {found[path.stem][0][2]}: two function objects write {path.name}; "
+                "expected one"
+            )
+        found.setdefault(path.stem, []).append((start, table, path))
+    return {name: merge_restarts(parts) for name, parts in found.items()}
+
+
+# --- numbers -----------------------------------------------------------------
+
+
+def crossing(time: np.ndarray, value: np.ndarray, level: float = 0.0, falling: bool = False) -> float:
+    """First time (s) at which value passes level, by linear interpolation; nan if it never does."""
+    side = (value - level) * (-1 if falling else 1)
+    if side.size and side[0] >= 0:
+        return float(time[0])
+    after = np.flatnonzero(side >= 0)
+    if not after.size:
+        return float("nan")
+    i = after[0]
+    return float(time[i - 1] + (time[i] - time[i - 1]) * side[i - 1] / (side[i - 1] - side[i]))
+
+
+def key_numbers(trajectory: Table, ledger: Table | None, extent: Table) -> Quantities:
+    """What the summary reports.
+
+    extent: time_s, low_m and high_m of the body, from its surface at the written times.
+    """
+    time, speed = trajectory["time_s"], trajectory["speed_m_s"]
+    peak = int(np.argmax(trajectory["deceleration_m_s2"]))
+    contact = crossing(time, trajectory["penetration_m"])
+    immersion = crossing(extent["time_s"], extent["high_m"], falling=True)
+
+    def at(name: str, when: float) -> float:
+        return float(np.interp(when, time, trajectory[name])) if np.isfinite(when) else float("nan")
+
+    numbers: Quantities = {
+        "contact time": (contact, "s"),
+        "full immersion time": (immersion, "s"),
+        "end time": (float(time[-1]), "s"),
+        "initial speed": (float(speed[0]), "m/s"),
+        "peak deceleration": (float(trajectory["deceleration_m_s2"][peak]), "m/s2"),
+        "peak deceleration in g": (float(trajectory["deceleration_m_s2"][peak]) / G0, "g"),
+        "time of peak deceleration": (float(time[peak]), "s"),
+        "velocity lost at full immersion": (float(speed[0]) - at("speed_m_s", immersion), "m/s"),
+        "velocity lost at end": (float(speed[0] - speed[-1]), "m/s"),
+        "pitch change at full immersion": (at("pitch_deg", immersion) - float(trajectory["pitch_deg"][0]), "deg"),
+        "pitch change at end": (float(trajectory["pitch_deg"][-1] - trajectory["pitch_deg"][0]), "deg"),
+        "penetration at end": (float(trajectory["penetration_m"][-1]), "m"),
+    }
+    if ledger is not None:
+        error = ledger["error_percent_of_body_volume"]
+        numbers["max |volume ledger error|"] = (float(np.max(np.abs(error))), "% of body volume")
+        numbers["volume ledger error at end"] = (float(error[-1]), "% of body volume")
+    return numbers
+
+
+def write_numbers(path: Path, numbers: Quantities) -> None:
+    """Write quantity,value,unit lines."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with path.open("w", newline="") as file:
+        out = csv.writer(file, lineterminator="\n")
+        out.writerow(("quantity", "value", "unit"))
+        out.writerows((name, f"{value:.6g}", unit) for name, (value, unit) in numbers.items())
+
+
+def read_numbers(path: Path) -> Quantities:
+    """Read what write_numbers wrote."""
+    if not path.is_file():
+        raise CaseError(f"{path}: not found; run plungePost on its case first")
+    with path.open(newline="") as file:
+        return {row["quantity"]: (float(row["value"]), row["unit"]) for row in csv.DictReader(file)}
+
+
+# --- the case's own description ----------------------------------------------
+
+
+def entry(case: Path, dictionary: str, keyword: str) -> str:
+    """Value of an entry of one of the case's dictionaries, read by foamDictionary."""
+    try:
+        run = subprocess.run(
+            ["foamDictionary", str(case / dictionary), "-entry", keyword, "-value"],
+            capture_output=True, text=True,
+        )
+    except FileNotFoundError:
+        raise CaseError("foamDictionary: not found; source the OpenFOAM environment (etc/bashrc)") from None
+    if run.returncode:
+        raise CaseError(
+            f"{case / dictionary}: cannot read entry '{keyword}': {(run.stderr or run.stdout).strip()}"
+        )
+    return run.stdout.strip()
+
+
+def liquid_name(case: Path) -> str:
+    """Name of the first of the two phases; its volume fraction is alpha.<name>."""
+    return entry(case, "constant/transportProperties", "phases").strip("()").split()[0]
+
+
+def _mesh_directories(case: Path) -> list[Path]:
+    """polyMesh directories: the case's own or, where it has none, those of the processors."""
+    own = case / "constant/polyMesh"
+    parts = [own] if (own / "boundary").is_file() else sorted(case.glob("processor*/constant/polyMesh"))
+    if not parts:
+        raise CaseError(f"{own}: no mesh")
+    return parts
+
+
+def patch_types(case: Path) -> dict[str, str]:
+    """Patch name -> type, in the mesh's order."""
+    text = (_mesh_directories(case)[0] / "boundary").read_text(errors="replace")
+    types = dict(re.findall(r'^\s*"?([^\s"{}();]+)"?\s*\{[^{}]*?\btype\s+(\w+);', text, re.MULTILINE))
+    return {name: kind for name, kind in types.items() if name != "FoamFile" and kind != "processor"}
+
+
+def cell_count(case: Path) -> int:
+    """Number of cells of the composite mesh, holes and overlap included."""
+    total = 0
+    for mesh in _mesh_directories(case):
+        with (mesh / "owner").open("rb") as file:
+            note = re.search(rb"nCells:\s*(\d+)", file.read(2000))
+        if not note:
+            raise CaseError(f"{mesh / 'owner'}: its header does not say nCells")
+        total += int(note.group(1))
+    return total

@@ -1,0 +1,350 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Free surface and body surface of an OpenFOAM case, as VTK surfaces.
+
+On a composite (overset) mesh every place is covered up to three times: by the
+background, by the body mesh, and by holes in either. Here the body mesh wins
+where it exists, and the background is cut along the outer boundary of the body
+mesh, so that the free surface is there exactly once.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+
+import numpy as np
+from vtkmodules.numpy_interface import dataset_adapter as dsa
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import (
+    vtkDataObject,
+    vtkPolyData,
+    vtkStaticPointLocator,
+    vtkUnstructuredGrid,
+)
+from vtkmodules.vtkCommonTransforms import vtkTransform
+from vtkmodules.vtkFiltersCore import (
+    vtkAppendFilter,
+    vtkAppendPolyData,
+    vtkCellDataToPointData,
+    vtkCleanPolyData,
+    vtkClipPolyData,
+    vtkContourFilter,
+    vtkImplicitPolyDataDistance,
+    vtkPolyDataNormals,
+    vtkProbeFilter,
+    vtkReverseSense,
+    vtkThreshold,
+    vtkTriangleFilter,
+)
+from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
+from vtkmodules.vtkIOGeometry import vtkOpenFOAMReader
+from vtkmodules.vtkIOParallel import vtkPOpenFOAMReader
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
+
+from plungeResults import CaseError, patch_types
+
+HOLE = 2  # cellCellStencil: 0 calculated, 1 interpolated, 2 hole
+BACKGROUND = 0  # zoneID of the mesh that the others lie on
+
+
+def keep_arrays(data: vtkPolyData | vtkUnstructuredGrid, names: list[str]) -> None:
+    """Remove all cell and point arrays but those named."""
+    for attributes in (data.GetCellData(), data.GetPointData()):
+        for name in [attributes.GetArrayName(i) for i in range(attributes.GetNumberOfArrays())]:
+            if name not in names:
+                attributes.RemoveArray(name)
+
+
+def select_cells(mesh: vtkUnstructuredGrid, mask: np.ndarray) -> vtkUnstructuredGrid:
+    """The cells of mesh where mask is true."""
+    wrapped = dsa.WrapDataObject(mesh)
+    wrapped.CellData.append(mask.astype(np.uint8), "selected")
+    threshold = vtkThreshold()
+    threshold.SetInputData(mesh)
+    threshold.SetInputArrayToProcess(0, 0, 0, vtkDataObject.FIELD_ASSOCIATION_CELLS, "selected")
+    threshold.SetThresholdFunction(vtkThreshold.THRESHOLD_UPPER)
+    threshold.SetUpperThreshold(0.5)
+    threshold.Update()
+    mesh.GetCellData().RemoveArray("selected")
+    selected = threshold.GetOutput()
+    selected.GetCellData().RemoveArray("selected")
+    return selected
+
+
+def to_points(cells: vtkUnstructuredGrid) -> vtkUnstructuredGrid:
+    """The cells with their values averaged to the points."""
+    merge = vtkAppendFilter()  # closes the seams between the processors' parts
+    merge.MergePointsOn()
+    merge.AddInputData(cells)
+    points = vtkCellDataToPointData()
+    points.SetInputConnection(merge.GetOutputPort())
+    points.Update()
+    return points.GetOutput()
+
+
+def match(inner: vtkUnstructuredGrid, boundary: vtkPolyData, outer: vtkUnstructuredGrid) -> None:
+    """Give the points of inner that lie on boundary the values that outer has there.
+
+    An average over cells is one-sided on a boundary; with the values of outer
+    the surfaces in the two meshes meet.
+    """
+    probe = vtkProbeFilter()
+    probe.SetInputData(boundary)
+    probe.SetSourceData(outer)
+    probe.Update()
+    there = probe.GetOutput().GetPointData()
+    valid = vtk_to_numpy(there.GetArray(probe.GetValidPointMaskArrayName()))
+    locator = vtkStaticPointLocator()
+    locator.SetDataSet(inner)
+    locator.BuildLocator()
+    ids = np.array([locator.FindClosestPoint(boundary.GetPoint(i)) for i in range(len(valid))], int)
+    # Cells that are cut off (holes) leave boundary points that inner does not have.
+    apart = np.linalg.norm(
+        vtk_to_numpy(inner.GetPoints().GetData())[ids] - vtk_to_numpy(boundary.GetPoints().GetData()), axis=1
+    )
+    use = (valid > 0) & (apart < 1e-6 * boundary.GetLength())
+    for i in range(inner.GetPointData().GetNumberOfArrays()):
+        array = inner.GetPointData().GetArray(i)
+        vtk_to_numpy(array)[ids[use]] = vtk_to_numpy(there.GetArray(array.GetName()))[use]
+
+
+def isosurface(points: vtkUnstructuredGrid, field: str, level: float = 0.5) -> vtkPolyData:
+    """Surface field = level of the point values."""
+    contour = vtkContourFilter()
+    contour.SetInputData(points)
+    contour.SetInputArrayToProcess(0, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, field)
+    contour.SetValue(0, level)
+    contour.ComputeNormalsOff()
+    contour.Update()
+    return contour.GetOutput()
+
+
+def append(parts: list[vtkPolyData]) -> vtkPolyData:
+    """One surface from several; coincident points are merged."""
+    together = vtkAppendPolyData()
+    for part in parts:
+        together.AddInputData(part)
+    clean = vtkCleanPolyData()
+    clean.SetInputConnection(together.GetOutputPort())
+    clean.PointMergingOn()
+    clean.Update()
+    return clean.GetOutput()
+
+
+def mirrored(surface: vtkPolyData) -> vtkPolyData:
+    """The surface and its mirror image in the symmetry plane y = 0."""
+    if surface.GetPointData().GetArray("U"):
+        surface.GetPointData().SetActiveVectors("U")
+    if surface.GetCellData().GetArray("U"):
+        surface.GetCellData().SetActiveVectors("U")
+    flip = vtkTransform()
+    flip.Scale(1, -1, 1)
+    image = vtkTransformPolyDataFilter()
+    image.SetInputData(surface)
+    image.SetTransform(flip)
+    outward = vtkReverseSense()  # a mirror image is wound the other way round
+    outward.SetInputConnection(image.GetOutputPort())
+    outward.ReverseCellsOn()
+    outward.Update()
+    return append([surface, outward.GetOutput()])
+
+
+def cut_away(surface: vtkPolyData, enclosure: vtkPolyData) -> vtkPolyData:
+    """What of surface lies outside the closed surface enclosure (normals outward)."""
+    triangles = vtkTriangleFilter()
+    triangles.SetInputData(enclosure)
+    normals = vtkPolyDataNormals()
+    normals.SetInputConnection(triangles.GetOutputPort())
+    normals.ConsistencyOn()
+    normals.AutoOrientNormalsOn()
+    normals.SplittingOff()
+    normals.Update()
+    distance = vtkImplicitPolyDataDistance()
+    distance.SetInput(normals.GetOutput())
+    clip = vtkClipPolyData()
+    clip.SetInputData(surface)
+    clip.SetClipFunction(distance)
+    clip.SetValue(0.0)
+    clip.InsideOutOff()
+    clip.Update()
+    return clip.GetOutput()
+
+
+def free_surface(
+    mesh: vtkUnstructuredGrid, alpha: str, overset: list[vtkPolyData], half: bool, fields: list[str]
+) -> vtkPolyData:
+    """Surface alpha = 0.5 of a mesh, single or composite, carrying the fields.
+
+    mesh has the cell arrays alpha, fields and, if composite, zoneID and cellTypes.
+    overset: outer boundaries of the body meshes (empty: a single mesh).
+    half: the surfaces end on the symmetry plane y = 0 and are mirrored.
+    """
+    data = mesh.GetCellData()
+
+    def cell_array(name: str) -> np.ndarray:
+        if not data.HasArray(name):
+            raise CaseError(f"field {name} is not among the written fields")
+        return vtk_to_numpy(data.GetArray(name))
+
+    for name in [alpha, *fields]:
+        cell_array(name)
+    whole = mirrored if half else (lambda surface: surface)
+    if not overset:
+        surface = isosurface(to_points(mesh), alpha)
+        keep_arrays(surface, fields)
+        return whole(surface)
+
+    zone = np.rint(cell_array("zoneID")).astype(int)
+    solved = np.rint(cell_array("cellTypes")).astype(int) != HOLE
+    zones = {}
+    for number in np.unique(zone):
+        zones[number] = to_points(select_cells(mesh, (zone == number) & solved))
+        keep_arrays(zones[number], [alpha, *fields])
+    if BACKGROUND not in zones:
+        raise CaseError(f"field zoneID has no cell of zone {BACKGROUND}, the background")
+
+    parts = []
+    for number, points in zones.items():
+        if number != BACKGROUND:
+            for boundary in overset:
+                match(points, boundary, zones[BACKGROUND])
+        part = isosurface(points, alpha)
+        keep_arrays(part, fields)
+        part = whole(part)
+        if number == BACKGROUND:
+            for boundary in overset:
+                if part.GetNumberOfCells():
+                    part = cut_away(part, whole(boundary))
+        parts.append(part)
+    return append(parts)
+
+
+class Case:
+    """The written times of an OpenFOAM case, reconstructed or decomposed."""
+
+    def __init__(self, directory: Path, alpha: str, body: str) -> None:
+        self.directory, self.alpha, self.body = directory, alpha, body
+        types = patch_types(directory)
+        if body not in types:
+            raise CaseError(
+                f"{directory}/constant/polyMesh/boundary: no patch '{body}'; "
+                f"patches are {', '.join(types)}"
+            )
+        self.overset = [name for name, kind in types.items() if kind == "overset"]
+        self.half = any(kind in ("symmetry", "symmetryPlane") for kind in types.values())
+
+        opener = directory / "case.foam"
+        opener.touch()
+        written = self._numeric(directory)
+        parallel = self._numeric(directory / "processor0")
+        decomposed = len(parallel) > len(written)
+        reader = vtkPOpenFOAMReader() if decomposed else vtkOpenFOAMReader()
+        if decomposed:
+            reader.SetCaseType(vtkPOpenFOAMReader.DECOMPOSED_CASE)
+        reader.SetFileName(str(opener))
+        reader.SkipZeroTimeOff()
+        reader.UpdateInformation()
+        reader.DisableAllPatchArrays()
+        for patch in ["internalMesh"] + [f"patch/{name}" for name in [body, *self.overset]]:
+            reader.SetPatchArrayStatus(patch, 1)
+        reader.CreateCellToPointOff()
+        reader.DecomposePolyhedraOn()  # VTK cannot contour every polyhedron
+        reader.DisableAllCellArrays()
+        for field in (alpha, "p", "U", "zoneID", "cellTypes"):
+            reader.SetCellArrayStatus(field, 1)
+        self.reader = reader
+        self.times = [t for t in vtk_to_numpy(reader.GetTimeValues())] if reader.GetTimeValues() else []
+        if not self.times:
+            raise CaseError(f"{directory}: no time directory that holds results")
+
+    @staticmethod
+    def _numeric(directory: Path) -> list[Path]:
+        return [d for d in directory.glob("*") if d.is_dir() and re.fullmatch(r"[\d.]+(e-?\d+)?", d.name)]
+
+    def surfaces(self, time: float) -> tuple[vtkPolyData, vtkPolyData]:
+        """(free surface, body), both whole, at a written time in s."""
+        self.reader.UpdateTimeStep(time)
+        meshes, patches = [], {}
+
+        def walk(block, name: str) -> None:
+            if block is None:
+                return
+            if block.IsA("vtkMultiBlockDataSet"):
+                for i in range(block.GetNumberOfBlocks()):
+                    named = block.HasMetaData(i) and block.GetMetaData(i).Has(block.NAME())
+                    walk(block.GetBlock(i), block.GetMetaData(i).Get(block.NAME()) if named else "")
+            elif block.IsA("vtkUnstructuredGrid"):
+                meshes.append(block)
+            elif block.GetNumberOfCells():
+                patches.setdefault(name, []).append(block)
+
+        walk(self.reader.GetOutput(), "")
+        together = vtkAppendFilter()
+        for part in meshes:
+            together.AddInputData(part)
+        together.Update()
+        mesh = together.GetOutput()
+        if self.overset and time == self.times[0] and not mesh.GetCellData().HasArray("cellTypes"):
+            # The initial fields precede the first overset assembly: nothing is a hole yet.
+            dsa.WrapDataObject(mesh).CellData.append(np.zeros(mesh.GetNumberOfCells()), "cellTypes")
+        outer = [append(patches[name]) for name in self.overset if name in patches]
+        fields = ["p", "U"] if mesh.GetCellData().HasArray("p") or time != self.times[0] else ["U"]
+        try:
+            surface = free_surface(mesh, self.alpha, outer, self.half, fields)
+        except CaseError as error:
+            raise CaseError(f"{self.directory}, time {time:g} s: {error}") from None
+        hull = append(patches[self.body])
+        keep_arrays(hull, fields)
+        return surface, mirrored(hull) if self.half else hull
+
+
+class Series:
+    """A .vtp.series: one surface for each written time, opened by ParaView as one."""
+
+    def __init__(self, folder: Path, name: str) -> None:
+        self.folder, self.name = folder, name
+        self.files: list[dict] = []
+        folder.mkdir(parents=True, exist_ok=True)
+        for old in folder.glob(f"{name}_*.vtp"):
+            old.unlink()
+
+    def add(self, time: float, surface: vtkPolyData) -> None:
+        """Write the surface at time in s."""
+        file = f"{self.name}_{len(self.files):04d}.vtp"
+        writer = vtkXMLPolyDataWriter()
+        writer.SetFileName(str(self.folder / file))
+        writer.SetInputData(surface)
+        if not writer.Write():
+            raise CaseError(f"{self.folder / file}: cannot be written")
+        self.files.append({"name": file, "time": float(time)})
+        series = {"file-series-version": "1.0", "files": self.files}
+        (self.folder / f"{self.name}.vtp.series").write_text(json.dumps(series, indent=1) + "\n")
+
+
+def read_series(folder: Path, name: str) -> list[tuple[float, Path]]:
+    """(time in s, file) of each surface of a .vtp.series."""
+    path = folder / f"{name}.vtp.series"
+    if not path.is_file():
+        raise CaseError(f"{path}: not found; plungePost writes it")
+    return [(f["time"], folder / f["name"]) for f in json.loads(path.read_text())["files"]]
+
+
+def read_surface(path: Path) -> vtkPolyData:
+    """The surface in a .vtp file."""
+    reader = vtkXMLPolyDataReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    return reader.GetOutput()
+
+
+def write_surface_series(case: Case, folder: Path) -> dict[str, np.ndarray]:
+    """Write both series; return time (s), lowest and highest point of the body (m)."""
+    water, body = Series(folder, "freeSurface"), Series(folder, "body")
+    extent = []
+    for time in case.times:
+        surface, hull = case.surfaces(time)
+        water.add(time, surface)
+        body.add(time, hull)
+        extent.append((time, *hull.GetBounds()[4:6]))
+    return dict(zip(("time", "low", "high"), np.array(extent).T))
