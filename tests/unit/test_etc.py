@@ -1,0 +1,246 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The set-up: apt sources, package list, environment."""
+import importlib.machinery
+import importlib.util
+import os
+import re
+import shutil
+import subprocess
+from pathlib import Path
+from types import ModuleType
+
+import pytest
+
+from conftest import sourcedEnvironment
+
+
+@pytest.fixture(scope="module")
+def aptSourceList(repository: Path) -> ModuleType:
+    """etc/aptSourceList as a module."""
+    loader = importlib.machinery.SourceFileLoader("aptSourceList", str(repository / "etc/aptSourceList"))
+    module = importlib.util.module_from_spec(importlib.util.spec_from_loader("aptSourceList", loader))
+    loader.exec_module(module)
+    return module
+
+
+ONE_LINE = """\
+# deb http://mirror.example/commented bookworm main
+deb http://mirror.example/debian bookworm main contrib  # the usual one
+deb [arch=amd64 signed-by=/usr/share/keyrings/some.gpg] https://other.example/deb/ stable main
+
+deb-src http://mirror.example/debian bookworm main contrib
+   deb http://flat.example/packages ./
+debug http://mirror.example/nonsense bookworm main
+"""
+
+DEB822 = """\
+# a comment
+Types: deb
+# URIs: http://snapshot.example/
+URIs: http://mirror.example/debian/
+Suites: bookworm bookworm-updates
+Components: main
+Signed-By: /usr/share/keyrings/debian-archive-keyring.gpg
+
+Types: deb deb-src
+URIs: http://off.example/debian
+Suites: bookworm
+Components: main
+Enabled: no
+
+
+types: deb
+URIs: https://keyed.example/debian
+  https://second.example/debian
+Suites: bookworm
+Components: main
+Architectures: amd64
+Signed-By:
+ -----BEGIN PGP PUBLIC KEY BLOCK-----
+ .
+ mQINBFit2ioBEADhWpZ8/wvZ6hUTiXOwQHXMAlaFHcPH9hAtr4F1y2+OYdbtMuth
+ -----END PGP PUBLIC KEY BLOCK-----
+"""
+
+POLICY = """\
+libopenfoam:
+  Installed: 1912.200626-1+b1
+  Candidate: 1912.200626-2
+  Version table:
+     1912.200626-2 500
+        500 http://new.example/debian trixie/main amd64 Packages
+ *** 1912.200626-1+b1 500
+        500 http://mirror.example/debian bookworm/main amd64 Packages
+        -1 https://keyed.example/debian stable/updates/main amd64 Packages
+        100 /var/lib/dpkg/status
+"""
+
+
+def test_oneLineSources(aptSourceList: ModuleType) -> None:
+    entries = list(aptSourceList.oneLineEntries(ONE_LINE))
+    assert [entry.text for entry in entries] == [
+        "deb-src http://mirror.example/debian bookworm main contrib",
+        "deb-src [arch=amd64 signed-by=/usr/share/keyrings/some.gpg] https://other.example/deb/ stable main",
+        "deb-src http://mirror.example/debian bookworm main contrib",
+        "deb-src http://flat.example/packages ./",
+    ]
+    assert entries[1].places == {("https://other.example/deb", "stable")}
+
+
+def test_deb822Sources(aptSourceList: ModuleType) -> None:
+    first, keyed = aptSourceList.deb822Entries(DEB822)
+    assert first.text.splitlines() == [
+        "Types: deb-src",
+        "URIs: http://mirror.example/debian/",
+        "Suites: bookworm bookworm-updates",
+        "Components: main",
+        "Signed-By: /usr/share/keyrings/debian-archive-keyring.gpg",
+    ]
+    assert first.places == {("http://mirror.example/debian", "bookworm"), ("http://mirror.example/debian", "bookworm-updates")}
+    # The key block, its line for an empty line included, has to arrive as it was.
+    assert keyed.text == DEB822[DEB822.index("types: deb"):].rstrip("\n").replace("types: deb", "Types: deb-src")
+    assert ("https://second.example/debian", "bookworm") in keyed.places
+
+
+def test_sourcesAreReadOnceAndInOrder(aptSourceList: ModuleType, tmp_path: Path) -> None:
+    parts = tmp_path / "sources.list.d"
+    parts.mkdir()
+    (tmp_path / "sources.list").write_text(ONE_LINE)
+    (parts / "a.sources").write_text(DEB822)
+    (parts / "b.list").write_text("deb http://b.example/debian bookworm main\n")
+    (parts / "c.save").write_text("deb http://saved.example/debian bookworm main\n")
+    entries = aptSourceList.readEntries(tmp_path / "sources.list", parts)
+    texts = " ".join(entry.text for entry in entries)
+    # deb and deb-src of one place are one source of sources.
+    assert len(entries) == 6 and texts.count("http://mirror.example/debian bookworm") == 1
+    assert "saved" not in texts and "off.example" not in texts and texts.index("flat") < texts.index("keyed") < texts.index("//b.")
+
+    aptSourceList.writeEntries(entries, tmp_path / "out")
+    written = list(aptSourceList.readEntries(tmp_path / "none", tmp_path / "out"))
+    assert sorted(entry.text for entry in written) == sorted(entry.text for entry in entries)
+
+
+def test_sourceOfTheInstalledVersion(aptSourceList: ModuleType) -> None:
+    places = aptSourceList.policyPlaces(POLICY, "1912.200626-1+b1")
+    assert places == {("http://mirror.example/debian", "bookworm"), ("https://keyed.example/debian", "stable/updates")}
+    entries = list(aptSourceList.oneLineEntries(ONE_LINE)) + list(aptSourceList.deb822Entries(DEB822))
+    assert {entry.form for entry in aptSourceList.offering(entries, places)} == {"list", "sources"}
+    assert not aptSourceList.offering(entries, aptSourceList.policyPlaces(POLICY, "1912.200626-2"))
+
+
+@pytest.mark.skipif(not shutil.which("apt-get"), reason="no apt on this machine")
+def test_aptReadsTheSourceList(repository: Path, tmp_path: Path) -> None:
+    """What is derived from this machine's own sources is valid for apt, and names source packages only."""
+    written = subprocess.run([repository / "etc/aptSourceList", tmp_path / "sources"])
+    assert written.returncode == 0
+    (tmp_path / "lists/partial").mkdir(parents=True)
+    (tmp_path / "empty").mkdir()
+
+    def uris(directory: str) -> str:
+        done = subprocess.run(
+            ["apt-get", "-o", "Dir::Etc::sourcelist=/dev/null", "-o", f"Dir::Etc::sourceparts={tmp_path}/{directory}",
+             "-o", f"Dir::State::Lists={tmp_path}/lists", "update", "--print-uris"], capture_output=True, text=True)
+        assert done.returncode == 0 and not done.stderr, done.stderr
+        return done.stdout
+
+    assert "InRelease" in uris("sources") and not uris("empty")
+    for path in (tmp_path / "sources").iterdir():
+        assert not re.search(r"^(Types:.*\bdeb(?!-src)|deb )", path.read_text(), re.MULTILINE)
+
+
+def test_packageList(repository: Path) -> None:
+    lines = [line.split("#")[0].split() for line in (repository / "etc/packages").read_text().splitlines()]
+    rows = [line for line in lines if line]
+    assert all(len(row) == 2 and row[1] in {"foam", "build", "python", "view"} for row in rows)
+    names = [row[0] for row in rows]
+    assert len(names) == len(set(names))
+    assert all(re.fullmatch(r"[a-z0-9][a-z0-9+.-]+", name) for name in names)
+
+
+def test_noHostIsNamed(repository: Path) -> None:
+    """The mirrors are the machine's own."""
+    for path in (repository / "etc").iterdir():
+        assert not re.search(r"https?://|\bdebian\.org\b", path.read_text()), path
+
+
+def test_bashrcIsIdempotent() -> None:
+    once = sourcedEnvironment()
+    twice = sourcedEnvironment(**once)
+    for variable in ("PATH", "LD_LIBRARY_PATH", "WM_PROJECT_DIR", "WM_OPTIONS"):
+        assert once[variable] == twice[variable]
+    assert once["PATH"].split(":").count(once["PLUNGE_APPBIN"]) == 1
+    assert once["PATH"].split(":")[0] == once["PLUNGE_APPBIN"]
+    assert once["LD_LIBRARY_PATH"].split(":")[0] == once["PLUNGE_LIBBIN"]
+
+
+def test_bashrcKeepsTheListsOfTheUser() -> None:
+    environment = sourcedEnvironment(LD_LIBRARY_PATH="/opt/a:/opt/b")
+    assert environment["LD_LIBRARY_PATH"] == environment["PLUNGE_LIBBIN"] + ":/opt/a:/opt/b"
+
+
+def test_bashrcFromAnyDirectory(repository: Path, tmp_path: Path) -> None:
+    link = tmp_path / "a link"
+    link.symlink_to(repository)
+    done = subprocess.run(["bash", "-euc", f'cd "{tmp_path}"; . "a link/etc/bashrc"; echo "$PLUNGE_DIR"'],
+                          capture_output=True, text=True)
+    assert done.stdout.strip() == str(repository), done.stderr
+
+
+def bareEnvironment(**variables: str) -> dict:
+    """No OpenFOAM is sourced."""
+    kept = {key: value for key, value in os.environ.items() if not key.startswith(("WM_", "FOAM_", "PLUNGE_"))}
+    return {**kept, **variables}
+
+
+def test_bashrcWithoutPreparation(repository: Path, tmp_path: Path) -> None:
+    command = f'. "{repository}/etc/bashrc" || echo "status $?"; echo "dir ${{WM_PROJECT_DIR:-none}}"'
+    done = subprocess.run(["bash", "-c", command], capture_output=True, text=True,
+                          env=bareEnvironment(XDG_CACHE_HOME=str(tmp_path)))
+    assert "etc/prepare first" in done.stderr
+    assert done.stdout.split("\n")[:2] == ["status 1", "dir none"]
+
+
+def sourcedTree(directory: Path) -> dict:
+    """A directory that looks like an OpenFOAM of the user's own, and its environment."""
+    for sub in ("wmake", "src/finiteVolume/lnInclude", "META-INFO"):
+        (directory / sub).mkdir(parents=True)
+    (directory / "META-INFO/api-info").write_text("api=2306\n")
+    wmake = directory / "wmake/wmake"
+    wmake.write_text("#!/bin/sh\n")
+    wmake.chmod(0o755)
+    return {"WM_PROJECT_DIR": str(directory), "WM_OPTIONS": "linux64ClangSPInt64Opt", "WM_DIR": str(directory / "wmake"),
+            "WM_PROJECT_VERSION": "v2306"}
+
+
+def test_sourcedOpenFOAMIsKept(repository: Path, tmp_path: Path) -> None:
+    environment = sourcedEnvironment(**sourcedTree(tmp_path / "foam"))
+    assert environment["WM_PROJECT_DIR"] == str(tmp_path / "foam")
+    assert environment["PLUNGE_LIBBIN"] == f"{repository}/platforms/linux64ClangSPInt64Opt/lib"
+
+
+def test_sourcedOpenFOAMOfAnotherKind(repository: Path, tmp_path: Path) -> None:
+    variables = sourcedTree(tmp_path / "foam")
+    (tmp_path / "foam/META-INFO/api-info").unlink()
+    with pytest.raises(RuntimeError, match="expected OpenFOAM v1912 or later"):
+        sourcedEnvironment(**variables)
+
+
+def test_administratorsLine(repository: Path, tmp_path: Path) -> None:
+    """Without rights: the missing packages, and only those, in one line to hand on. With an OpenFOAM sourced, not Debian's."""
+    tools = tmp_path / "bin"
+    tools.mkdir()
+    # An ordinary user, no sudo, and numpy and OpenFOAM not installed.
+    for name, script in {
+        "id": "echo 1000",
+        "dpkg-query": 'case "$*" in *python3-numpy*|*openfoam*) exit 1;; *) echo "ii ";; esac',
+        "sudo": "exit 1",
+    }.items():
+        (tools / name).write_text(f"#!/bin/sh\n{script}\n")
+        (tools / name).chmod(0o755)
+
+    path = f"{tools}:/usr/bin:/bin"
+    for variables, packages in (({}, "openfoam libopenfoam python3-numpy"), (sourcedTree(tmp_path / "foam"), "python3-numpy")):
+        done = subprocess.run([repository / "etc/prepare"], env=bareEnvironment(PATH=path, **variables),
+                              stdin=subprocess.DEVNULL, capture_output=True, text=True)
+        assert done.returncode == 1
+        assert f"    apt-get update && apt-get install --no-install-recommends -y {packages}\n" in done.stderr
