@@ -1,0 +1,265 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The body's own mesh: hexahedra in wall-normal layers, without cells collapsed on the axis.
+
+A meridian grid X(u, t), u along the body and t from the wall to the outer surface, is revolved about the
+axis. Within the first and last `capCells + ringCells` cells along the body the polar grid of the surface is
+replaced by a butterfly: a square of 2*capCells by 2*capCells quadrilaterals around the axis, and a ring of
+ringCells that leads to the circle, which has 8*capCells cells (the half model has half of all that).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.interpolate import PchipInterpolator
+
+from bodyGeometry import Body
+
+
+@dataclass(frozen=True)
+class MeshSize:
+    """Cell sizes and layer counts of the body mesh; lengths [m]."""
+
+    cap_cells: int        # from the axis to the edge of the square
+    ring_cells: int       # from the edge of the square to the circle
+    axial_cells: int      # from nose to tail
+    layers: int           # from the wall to the outer surface
+    nose_spacing: float   # along the meridian, at the nose
+    body_spacing: float   # the longest along the meridian
+    tail_spacing: float   # at the tail
+    growth: float         # of the spacing per unit of arc length
+    offset: tuple[float, float, float]     # from the wall to the outer surface at nose, thickest section, tail
+    stretching: tuple[float, float, float]  # ln(outermost layer/first layer), same places
+    fan: float            # arc length over which the lines turn aft before the tail
+
+
+def _spacing(body: Body, size: MeshSize, s: np.ndarray) -> np.ndarray:
+    """Wanted spacing at arc length s: constant over nose and tail, growing between, never above body_spacing."""
+    end = s[-1]
+    nose = size.nose_spacing + size.growth * np.maximum(0, s - 2 * body.nose_radius)
+    tail = size.tail_spacing + size.growth * np.maximum(0, end - s - 2 * body.nose_radius)
+    return (nose**-4 + tail**-4 + size.body_spacing**-4) ** -0.25
+
+
+def axial_cell_count(body: Body, size: MeshSize) -> float:
+    """Cells from nose to tail that the wanted spacings ask for."""
+    s = np.linspace(0, body.arc_length(np.array([1.0]))[0], 20001)
+    return float(np.trapz(1 / _spacing(body, size, s), s))
+
+
+class Meridian:
+    """The grid in a half plane through the axis: point(u, t) with u in [0, axial_cells], t in [0, layers]."""
+
+    def __init__(self, body: Body, size: MeshSize):
+        self.size = size
+        c = np.linspace(0, 1, 20001)
+        s = body.arc_length(c)
+        density = 1 / _spacing(body, size, s)
+        u = np.concatenate(([0], np.cumsum((density[1:] + density[:-1]) / 2 * np.diff(s))))
+        u *= size.axial_cells / u[-1]
+        self._body = body
+        self._c = PchipInterpolator(u, c)
+
+        angle = body.normal_angle(c)
+        # The tail is the tip of a cone: over the last cells the lines turn from the
+        # cone's normal to the axis, evenly in u so that the outer surface is smooth.
+        start = np.interp(s[-1] - size.fan, s, u)
+        q = np.clip((u - start) / (u[-1] - start), 0, 1)
+        self._angle = PchipInterpolator(u, angle * (1 - q**1.6))
+
+        middle = np.interp(np.sqrt(0.3), c, u)
+        knots = [0, middle, u[-1]]
+        self._offset = PchipInterpolator(knots, size.offset)
+        self._stretching = PchipInterpolator(knots, size.stretching)
+
+    def point(self, u: np.ndarray, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Distance from the nose along the axis and distance from the axis [m]."""
+        x, r = self._body.point(self._c(u))
+        b = self._stretching(u)
+        distance = self._offset(u) * np.expm1(b * t / self.size.layers) / np.expm1(b)
+        angle = self._angle(u)
+        return x + distance * np.cos(angle), r + distance * np.sin(angle)
+
+
+@dataclass
+class SurfaceGrid:
+    """Quadrilaterals on a surface of revolution; nodes are given by (u, cos phi, sin phi)."""
+
+    u: np.ndarray
+    cos_phi: np.ndarray
+    sin_phi: np.ndarray
+    quads: np.ndarray  # (n, 4) node numbers
+
+
+def _disc(size: MeshSize) -> tuple[np.ndarray, np.ndarray]:
+    """Half disc 0 <= y of the butterfly: the square's nodes (2n+1, n+1, 2) and the ring's (m, 4n+1, 2)."""
+    n, m = size.cap_cells, size.ring_cells
+    p, q = np.meshgrid(np.arange(-n, n + 1) / n, np.arange(0, n + 1) / n, indexing="ij")
+    # Half-way between a square and a disc: its corners open to about 130 degrees,
+    # so that the cells there are as good as those on the sides.
+    rounded = np.stack((p * np.sqrt(1 - q**2 / 2), q * np.sqrt(1 - p**2 / 2)), axis=-1)
+    square = n / (n + m) * (0.45 * np.stack((p, q), axis=-1) + 0.55 * rounded)
+
+    rim = square[_rim(n)[:, 0], _rim(n)[:, 1]]
+    phi = np.pi * np.arange(4 * n + 1) / (4 * n)
+    circle = np.stack((np.cos(phi), np.sin(phi)), axis=-1)
+    weight = (np.arange(1, m + 1) / m)[:, None, None]
+    return square, (1 - weight) * rim + weight * circle
+
+
+def _rim(n: int) -> np.ndarray:
+    """Indices of the square's nodes along its edge, from phi = 0 to phi = pi."""
+    return np.array(
+        [(2 * n, j) for j in range(n)] + [(i, n) for i in range(2 * n, 0, -1)] + [(0, j) for j in range(n, -1, -1)]
+    )
+
+
+def butterfly_surface(size: MeshSize) -> SurfaceGrid:
+    """The half surface, 0 <= phi <= pi: butterfly caps at nose and tail, (u, phi) cells between."""
+    n, m, total = size.cap_cells, size.ring_cells, size.axial_cells
+    square, ring = _disc(size)
+    cap = n + m
+    nodes: list[np.ndarray] = []   # (u, cos, sin) blocks
+    quads: list[np.ndarray] = []
+    count = 0
+
+    def add(u: np.ndarray, y: np.ndarray, z: np.ndarray) -> np.ndarray:
+        """Append nodes; return their numbers in the shape of u."""
+        nonlocal count
+        nodes.append(np.stack((u, y, z), axis=-1).reshape(-1, 3))
+        numbers = np.arange(count, count + u.size).reshape(u.shape)
+        count += u.size
+        return numbers
+
+    def patch(grid: np.ndarray, flip: bool) -> None:
+        corners = np.stack((grid[:-1, :-1], grid[1:, :-1], grid[1:, 1:], grid[:-1, 1:]), axis=-1).reshape(-1, 4)
+        quads.append(corners[:, ::-1] if flip else corners)
+
+    def polar(points: np.ndarray, tail: bool) -> np.ndarray:
+        radius = np.hypot(points[..., 0], points[..., 1])
+        safe = np.where(radius > 0, radius, 1)
+        u = cap * radius
+        return add(total - u if tail else u, points[..., 0] / safe, points[..., 1] / safe)
+
+    circles = []
+    for tail in (False, True):
+        core = polar(square, tail)
+        rings = np.vstack((core[_rim(n)[:, 0], _rim(n)[:, 1]][None], polar(ring, tail)))
+        patch(core, flip=not tail)
+        patch(rings, flip=not tail)
+        circles.append(rings[-1])
+
+    phi = np.pi * np.arange(4 * n + 1) / (4 * n)
+    u = np.arange(cap + 1, total - cap, dtype=float)
+    between = add(*np.broadcast_arrays(u[:, None], np.cos(phi), np.sin(phi)))
+    patch(np.vstack((circles[0][None], between, circles[1][None])), flip=True)
+
+    table = np.vstack(nodes)
+    # On the plane of symmetry sin(phi) is exactly zero.
+    sin_phi = np.where(np.abs(table[:, 2]) < 1e-12, 0.0, table[:, 2])
+    return SurfaceGrid(table[:, 0], table[:, 1], sin_phi, np.vstack(quads))
+
+
+@dataclass
+class VolumeMesh:
+    """Nodes [m] in (x aft from the nose, y, z dorsal) and the elements of each part, as node numbers."""
+
+    nodes: np.ndarray
+    hexahedra: np.ndarray
+    wall: np.ndarray
+    outer: np.ndarray
+    symmetry: np.ndarray
+
+
+def build(body: Body, size: MeshSize, full: bool) -> VolumeMesh:
+    """Extrude the surface grid along the meridian's lines; `full` adds the mirror image."""
+    surface = butterfly_surface(size)
+    meridian = Meridian(body, size)
+    layers = []
+    for k in range(size.layers + 1):
+        x, r = meridian.point(surface.u, np.full_like(surface.u, k))
+        layers.append(np.stack((x, r * surface.sin_phi, r * surface.cos_phi), axis=-1))
+    nodes = np.vstack(layers)
+    stride = len(surface.u)
+
+    lower = surface.quads[None] + stride * np.arange(size.layers)[:, None, None]
+    hexahedra = np.concatenate((lower, lower + stride), axis=-1).reshape(-1, 8)
+    wall = surface.quads[:, ::-1]
+    outer = surface.quads + stride * size.layers
+
+    edges = np.vstack([surface.quads[:, [a, (a + 1) % 4]] for a in range(4)])
+    names, first, counts = np.unique(np.sort(edges, axis=1), axis=0, return_index=True, return_counts=True)
+    open_edges = edges[first[counts == 1]]
+    low = open_edges[None] + stride * np.arange(size.layers)[:, None, None]
+    symmetry = np.concatenate((low, low[..., ::-1] + stride), axis=-1).reshape(-1, 4)
+
+    mesh = VolumeMesh(nodes, hexahedra, wall, outer, symmetry)
+    return _mirrored(mesh) if full else mesh
+
+
+def _mirrored(half: VolumeMesh) -> VolumeMesh:
+    """The half mesh and its image in y = 0; the nodes on the plane are shared."""
+    off_plane = half.nodes[:, 1] != 0
+    image = np.arange(len(half.nodes))
+    image[off_plane] = len(half.nodes) + np.arange(off_plane.sum())
+    nodes = np.vstack((half.nodes, half.nodes[off_plane] * [1, -1, 1]))
+
+    def with_image(quads: np.ndarray) -> np.ndarray:
+        return np.vstack((quads, image[quads[:, ::-1]]))
+
+    turned = half.hexahedra[:, [3, 2, 1, 0, 7, 6, 5, 4]]
+    return VolumeMesh(
+        nodes,
+        np.vstack((half.hexahedra, image[turned])),
+        with_image(half.wall),
+        with_image(half.outer),
+        np.empty((0, 4), dtype=int),
+    )
+
+
+def write_msh(mesh: VolumeMesh, place: np.ndarray, nose: np.ndarray, path: str) -> dict[str, float]:
+    """Hand the mesh to gmsh, write it as .msh 2.2 and return gmsh's quality figures.
+
+    `place` holds the directions of x, y, z as rows, `nose` is the nose's position [m].
+    """
+    import gmsh
+
+    gmsh.initialize()
+    gmsh.option.setNumber("General.Terminal", 0)
+    gmsh.model.add("body")
+    for entity in (1, 2, 3):
+        gmsh.model.addDiscreteEntity(2, entity)
+    gmsh.model.addDiscreteEntity(3, 1)
+    tags = np.arange(1, len(mesh.nodes) + 1)
+    gmsh.model.mesh.addNodes(3, 1, tags, (mesh.nodes @ place + nose).ravel())
+    quadrilateral, hexahedron, element = 3, 5, 1
+    parts = [(2, 1, mesh.wall, "wall"), (2, 2, mesh.outer, "outer"), (2, 3, mesh.symmetry, "plane"),
+             (3, 1, mesh.hexahedra, "bodyMesh")]
+    for dimension, entity, cells, name in parts:
+        if not len(cells):
+            continue
+        gmsh.model.mesh.addElementsByType(
+            entity, hexahedron if dimension == 3 else quadrilateral,
+            np.arange(element, element + len(cells)), (cells + 1).ravel())
+        element += len(cells)
+        group = gmsh.model.addPhysicalGroup(dimension, [entity])
+        gmsh.model.setPhysicalName(dimension, group, name)
+
+    quality = {}
+    for measure in ("IGEMeasure", "ICNMeasure"):
+        for other in ("JacobianDeterminant", "IGEMeasure", "ICNMeasure"):
+            gmsh.plugin.setNumber("AnalyseMeshQuality", other, float(other == measure))
+        gmsh.plugin.setNumber("AnalyseMeshQuality", "DimensionOfElements", 3)
+        gmsh.plugin.setNumber("AnalyseMeshQuality", "CreateView", 1)
+        gmsh.plugin.run("AnalyseMeshQuality")
+        kinds, _, data, _, _ = gmsh.view.getModelData(gmsh.view.getTags()[-1], 0)
+        values = np.array([value[0] for value in data])
+        quality[measure] = float(values.min())
+        quality[measure + " mean"] = float(values.mean())
+
+    gmsh.option.setNumber("Mesh.MshFileVersion", 2.2)
+    gmsh.option.setNumber("Mesh.Binary", 0)
+    gmsh.write(path)
+    gmsh.finalize()
+    return quality

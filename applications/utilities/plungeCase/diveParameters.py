@@ -1,0 +1,258 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""From a case's parameter file to every number that its dictionaries need."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from math import ceil, cos, radians, sin
+from pathlib import Path
+from typing import Any, Callable
+
+import numpy as np
+
+import foamDictionary
+from bodyGeometry import Body
+from bodyMesh import MeshSize, axial_cell_count
+
+
+class ParameterError(Exception):
+    """A value that cannot be used; the message names file, entry and what is expected."""
+
+
+Check = tuple[str, Callable[[Any], bool]]
+
+
+def _number(expectation: str, holds: Callable[[float], bool]) -> Check:
+    return (expectation, lambda v: isinstance(v, (int, float)) and not isinstance(v, bool) and holds(v))
+
+
+def _triple(expectation: str, holds: Callable[[float], bool]) -> Check:
+    number = _number("", holds)[1]
+    return (expectation, lambda v: isinstance(v, list) and len(v) == 3 and all(number(x) for x in v))
+
+
+def _count(least: int) -> Check:
+    return (f"a whole number, at least {least}", lambda v: type(v) is int and v >= least)
+
+
+def _word(*words: str) -> Check:
+    return ("one of: " + " ".join(words), lambda v: v in words)
+
+
+_POSITIVE = _number("a number above 0", lambda v: v > 0)
+
+_PARAMETERS: dict[str, Check] = {
+    "model": _word("half", "full"),
+    "resolution": _number("a number from 0.5 to 16", lambda v: 0.5 <= v <= 16),
+    "cores": _count(1),
+    "body.length": _POSITIVE,
+    "body.thicknessRatio": _number("a number from 0.05 to 0.5", lambda v: 0.05 <= v <= 0.5),
+    "body.density": _POSITIVE,
+    "dive.speed": _POSITIVE,
+    "dive.angle": _number("degrees to the surface, from 20 to 90", lambda v: 20 <= v <= 90),
+    "dive.gap": _POSITIVE,
+    "dive.travel": _POSITIVE,
+    "output.frames": _count(1),
+}
+_OPTIONAL: dict[str, Check] = {
+    "body.mass": _POSITIVE,
+    "body.centreOfMass": _POSITIVE,
+    "body.momentOfInertia": _triple("three numbers above 0: (roll pitch yaw)", lambda v: v > 0),
+}
+_FLUIDS: dict[str, Check] = {
+    "liquidDensity": _POSITIVE,
+    "liquidViscosity": _POSITIVE,
+    "gasDensity": _POSITIVE,
+    "gasViscosity": _POSITIVE,
+    "surfaceTension": _number("a number, 0 or above", lambda v: v >= 0),
+    "gravity": _number("a number, 0 or above", lambda v: v >= 0),
+}
+_TIER: dict[str, Check] = {
+    "capCells": _count(2),
+    "ringCells": _count(1),
+    "layers": _count(4),
+    "noseSpacing": _POSITIVE,
+    "bodySpacing": _POSITIVE,
+    "tailSpacing": _POSITIVE,
+    "growth": _POSITIVE,
+    "offset": _triple("three numbers above 0: (nose middle tail)", lambda v: v > 0),
+    "stretching": _triple("three numbers above 0: (nose middle tail)", lambda v: v > 0),
+    "tailFan": _number("a number above 0, below 0.5", lambda v: 0 < v < 0.5),
+    "backgroundSpacing": _POSITIVE,
+    "refinementLevels": _count(1),
+    "maxCo": _POSITIVE,
+    "maxDeltaT": _POSITIVE,
+}
+
+
+def _flat(entries: dict[str, Any], prefix: str = "") -> dict[str, Any]:
+    flat: dict[str, Any] = {}
+    for key, value in entries.items():
+        if isinstance(value, dict):
+            flat.update(_flat(value, f"{prefix}{key}."))
+        else:
+            flat[prefix + key] = value
+    return flat
+
+
+def _checked(entries: dict[str, Any], source: str, required: dict[str, Check],
+             optional: dict[str, Check] = {}) -> dict[str, Any]:
+    known = {**required, **optional}
+    for key in entries:
+        if key not in known:
+            raise ParameterError(f"{source}: unknown entry '{key}'; expected: {' '.join(known)}")
+    for key, (expectation, holds) in known.items():
+        if key not in entries:
+            if key in required:
+                raise ParameterError(f"{source}: entry '{key}' is missing; expected {expectation}")
+        elif not holds(entries[key]):
+            found = foamDictionary.format_value(entries[key])
+            raise ParameterError(f"{source}: entry '{key}' is {found}; expected {expectation}")
+    return entries
+
+
+def _choice(path: Path, name: Any, entry: str, source: str, required: dict[str, Check]) -> dict[str, Any]:
+    table = foamDictionary.read(path)
+    if not isinstance(table.get(name), dict):
+        raise ParameterError(f"{source}: entry '{entry}' is {name}; expected one of {path}'s: {' '.join(table)}")
+    return _checked(table[name], f"{path}, {name}", required)
+
+
+@dataclass(frozen=True)
+class Dive:
+    """The checked parameters of one dive."""
+
+    given: dict[str, Any]   # plungeParameters with the command line's values, flat
+    fluids: dict[str, Any]
+    tier: dict[str, Any]
+
+    @property
+    def name(self) -> str:
+        """The run directory's name, unless one is given."""
+        full = "-full" if self.given["model"] == "full" else ""
+        resolution = self.given["resolution"]
+        finer = f"-r{resolution:g}" if resolution != 1 else ""
+        return f"{self.given['fluids']}-{self.given['tier']}{full}{finer}"
+
+
+def read(case: Path, overrides: dict[str, Any]) -> Dive:
+    """Read and check a case's parameter files; `overrides` (flat names) take the place of file entries."""
+    path = case / "system" / "plungeParameters"
+    given = {**_flat(foamDictionary.read(path)), **overrides}
+    source = f"{path} (or the command line)" if overrides else str(path)
+    any_word: Check = ("a word", lambda v: isinstance(v, str))
+    _checked(given, source, {"fluids": any_word, "tier": any_word, **_PARAMETERS}, _OPTIONAL)
+    if given.get("body.centreOfMass", 0) > given["body.length"]:
+        raise ParameterError(f"{source}: entry 'body.centreOfMass' is {given['body.centreOfMass']}; "
+                             "expected metres aft of the nose, at most body.length")
+    return Dive(
+        given,
+        _choice(case / "constant" / "plungeFluids", given["fluids"], "fluids", source, _FLUIDS),
+        _choice(case / "system" / "plungeTiers", given["tier"], "tier", source, _TIER),
+    )
+
+
+def mesh_size(body: Body, tier: dict[str, Any], resolution: float) -> MeshSize:
+    """The body mesh's size [m]; counts grow with the resolution, the shape stays."""
+    length = body.length
+    base = MeshSize(
+        cap_cells=tier["capCells"], ring_cells=tier["ringCells"], axial_cells=0, layers=tier["layers"],
+        nose_spacing=tier["noseSpacing"] * length, body_spacing=tier["bodySpacing"] * length,
+        tail_spacing=tier["tailSpacing"] * length, growth=tier["growth"],
+        offset=tuple(length * d for d in tier["offset"]), stretching=tuple(tier["stretching"]),
+        fan=tier["tailFan"] * length,
+    )
+    return replace(
+        base,
+        cap_cells=round(tier["capCells"] * resolution),
+        ring_cells=max(1, round(tier["ringCells"] * resolution)),
+        axial_cells=round(round(axial_cell_count(body, base)) * resolution),
+        layers=round(tier["layers"] * resolution),
+    )
+
+
+def derive(dive: Dive) -> list[tuple[str, dict[str, Any]]]:
+    """All numbers that the case's dictionaries include, in titled sections (SI units)."""
+    p, fluids, tier = dive.given, dive.fluids, dive.tier
+    body = Body(float(p["body.length"]), float(p["body.thicknessRatio"]))
+    length, full, resolution = body.length, p["model"] == "full", p["resolution"]
+    angle = radians(p["dive.angle"])
+    forward = np.array([cos(angle), 0.0, -sin(angle)])
+    dorsal = np.array([sin(angle), 0.0, cos(angle)])
+    nose = np.array([0.0, 0.0, p["dive.gap"]])
+
+    mass = p.get("body.mass", p["body.density"] * body.volume)
+    centre = p.get("body.centreOfMass", body.centroid)
+    roll, pitch = (mass / body.volume * i for i in body.unit_inertia())
+    inertia = p.get("body.momentOfInertia", [roll, pitch, pitch])
+    share = 1.0 if full else 0.5
+
+    size = mesh_size(body, tier, resolution)
+    path_end = nose + p["dive.travel"] * length * forward
+    path_start = nose - length * forward
+
+    # The domain is a whole number of unrefined cells, with a cell face on z = 0.
+    cell = tier["backgroundSpacing"] * length
+    def cells(distance: float) -> int:
+        return ceil(distance / cell - 1e-9)
+    x_low, x_high = -cells(1.5 * length - path_start[0]), cells(1.5 * length + path_end[0])
+    y_high = cells(1.5 * length)
+    z_low, z_high = -cells(1.5 * length - path_end[2]), cells(path_start[2] + 0.5 * length)
+    def refined(count: int) -> int:
+        return max(1, round(count * resolution))
+
+    # Shells about the path, finest innermost; each coarser one is four of its cells wide.
+    radius = body.thickness_ratio * length / 2 + max(size.offset) + 0.05 * length
+    shells = []
+    for level in range(tier["refinementLevels"], 0, -1):
+        shells.append([radius, level])
+        radius += 4 * cell / 2 ** (level - 1)
+
+    end_time = p["dive.travel"] * length / p["dive.speed"]
+    vector = lambda v: [float(x) + 0.0 for x in v]
+    return [
+        ("The dive", {
+            "fluids": p["fluids"], "model": p["model"], "tier": p["tier"], "resolution": resolution,
+            "cores": p["cores"], "bodyLength": length, "thicknessRatio": body.thickness_ratio,
+            "speed": float(p["dive.speed"]), "pathAngle": float(p["dive.angle"]), "gap": float(p["dive.gap"]),
+        }),
+        ("Fluids", {
+            **fluids,
+            "liquidKinematicViscosity": fluids["liquidViscosity"] / fluids["liquidDensity"],
+            "gasKinematicViscosity": fluids["gasViscosity"] / fluids["gasDensity"],
+            "gravityVector": [0, 0, -fluids["gravity"]],
+        }),
+        ("The whole body, at t = 0", {
+            "bodyVolume": body.volume, "bodyMass": mass, "bodyMomentOfInertia": vector(inertia),
+            "noseRadius": body.nose_radius, "centreOfMassFromNose": float(centre),
+            "nosePosition": vector(nose), "centreOfMass": vector(nose - centre * forward),
+            "forward": vector(forward), "dorsal": vector(dorsal),
+            "orientation": [float(x) + 0.0 for x in np.column_stack((forward, [0, 1, 0], dorsal)).ravel()],
+            "initialVelocity": vector(p["dive.speed"] * forward),
+        }),
+        ("What the model holds of it", {
+            "modelledMass": share * mass,
+            "modelledMomentOfInertia": vector(share * np.asarray(inertia)),
+        }),
+        ("Body mesh", {
+            "capCells": size.cap_cells, "ringCells": size.ring_cells, "axialCells": size.axial_cells,
+            "layers": size.layers, "noseSpacing": size.nose_spacing, "bodySpacing": size.body_spacing,
+            "tailSpacing": size.tail_spacing, "spacingGrowth": size.growth, "offset": list(size.offset),
+            "stretching": list(size.stretching), "tailFan": size.fan,
+        }),
+        ("Background mesh", {
+            "xMin": x_low * cell, "xMax": x_high * cell, "yMin": -y_high * cell if full else 0.0,
+            "yMax": y_high * cell, "zMin": z_low * cell, "zMax": z_high * cell,
+            "xCells": refined(x_high - x_low), "yCells": refined(y_high) * (2 if full else 1),
+            "zCellsLiquid": refined(-z_low), "zCellsGas": refined(z_high),
+            "pathStart": vector(path_start), "pathEnd": vector(path_end),
+            "finestSpacing": cell / 2 ** tier["refinementLevels"] / resolution,
+            "refinementShells": shells,
+            "maxRefinementLevel": tier["refinementLevels"],
+        }),
+        ("Run", {
+            "diveDuration": end_time, "frameInterval": end_time / p["output.frames"],
+            "initialDeltaT": 0.05 * size.nose_spacing / resolution / p["dive.speed"],
+            "deltaTLimit": tier["maxDeltaT"] / resolution, "courantLimit": tier["maxCo"],
+        }),
+    ]

@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Reads and writes the plain part of OpenFOAM's dictionary format: entries, sub-dictionaries, lists, comments."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import Any
+
+
+class DictionaryError(Exception):
+    """A dictionary that cannot be read; the message names the file and the place."""
+
+
+_TOKEN = re.compile(r'"(?:[^"\\]|\\.)*"|[{}();]|[^\s{}();"]+')
+
+
+def _strip_comments(text: str) -> str:
+    """Blank out comments, keeping the line numbers."""
+    text = re.sub(r"/\*.*?\*/", lambda m: "\n" * m.group().count("\n"), text, flags=re.S)
+    return re.sub(r"//[^\n]*", "", text)
+
+
+def _value(token: str) -> Any:
+    for kind in (int, float):
+        try:
+            return kind(token)
+        except ValueError:
+            pass
+    return token.strip('"')
+
+
+def read(path: Path) -> dict[str, Any]:
+    """Return the entries of a dictionary file; numbers become int or float, lists become Python lists."""
+    try:
+        text = _strip_comments(path.read_text())
+    except OSError as error:
+        raise DictionaryError(f"{path}: cannot be read: {error.strerror}") from None
+
+    tokens = [(m.group(), text.count("\n", 0, m.start()) + 1) for m in _TOKEN.finditer(text)]
+    position = 0
+
+    def fail(line: int, message: str) -> None:
+        raise DictionaryError(f"{path}, line {line}: {message}")
+
+    def parse_list(line: int) -> list[Any]:
+        nonlocal position
+        values: list[Any] = []
+        while position < len(tokens):
+            token, here = tokens[position]
+            position += 1
+            if token == ")":
+                return values
+            if token in "{};":
+                fail(here, f"'{token}' inside a list")
+            values.append(parse_list(here) if token == "(" else _value(token))
+        fail(line, "list without its closing ')'")
+        return values
+
+    def parse_entries(opened: int | None) -> dict[str, Any]:
+        nonlocal position
+        entries: dict[str, Any] = {}
+        while position < len(tokens):
+            token, line = tokens[position]
+            position += 1
+            if token == "}":
+                if opened is None:
+                    fail(line, "'}' without its '{'")
+                return entries
+            if token in "{();":
+                fail(line, f"expected the name of an entry, found '{token}'")
+            key = token.strip('"')
+            if key.startswith("#") or key.startswith("$"):
+                fail(line, f"'{key}': this file takes plain values only, no directives and no variables")
+            if key in entries:
+                fail(line, f"entry '{key}' is given twice")
+            if position < len(tokens) and tokens[position][0] == "{":
+                position += 1
+                entries[key] = parse_entries(line)
+                continue
+            values: list[Any] = []
+            while True:
+                if position >= len(tokens) or tokens[position][0] in "{}":
+                    fail(line, f"entry '{key}' has no closing ';'")
+                token, here = tokens[position]
+                position += 1
+                if token == ";":
+                    break
+                values.append(parse_list(here) if token == "(" else _value(token))
+            if not values:
+                fail(line, f"entry '{key}' has no value")
+            entries[key] = values[0] if len(values) == 1 else values
+        if opened is not None:
+            fail(opened, "'{' without its '}'")
+        return entries
+
+    entries = parse_entries(None)
+    entries.pop("FoamFile", None)
+    return entries
+
+
+def format_value(value: Any) -> str:
+    """Write a number, a word or a list the way OpenFOAM reads it back without loss."""
+    if isinstance(value, (list, tuple)):
+        return "(" + " ".join(format_value(v) for v in value) + ")"
+    if isinstance(value, float):
+        return f"{value:.12g}"
+    return str(value)
+
+
+def write(path: Path, note: str, sections: list[tuple[str, dict[str, Any]]]) -> None:
+    """Write sections of entries; each section is introduced by a comment."""
+    lines = [
+        "FoamFile",
+        "{",
+        "    version     2.0;",
+        "    format      ascii;",
+        "    class       dictionary;",
+        f"    object      {path.name};",
+        "}",
+        "",
+        *(f"// {line}" for line in note.splitlines()),
+    ]
+    for title, entries in sections:
+        lines += ["", f"// {title}"]
+        lines += [f"{key:<23} {format_value(value)};" for key, value in entries.items()]
+    # Appears complete or not at all.
+    part = path.with_name(path.name + ".part")
+    part.write_text("\n".join(lines) + "\n")
+    part.replace(path)
