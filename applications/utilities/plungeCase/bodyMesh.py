@@ -62,11 +62,13 @@ class Meridian:
         self._c = PchipInterpolator(u, c)
 
         angle = body.normal_angle(c)
-        # The tail is the tip of a cone: over the last cells the lines turn from the
-        # cone's normal to the axis, evenly in u so that the outer surface is smooth.
+        # The tail is the tip of a cone: before it the lines turn from the cone's normal
+        # to the axis; late at the wall, where they should be normal, early further out,
+        # so that the outer surface is smooth.
         start = np.interp(s[-1] - size.fan, s, u)
         q = np.clip((u - start) / (u[-1] - start), 0, 1)
-        self._angle = PchipInterpolator(u, angle * (1 - q**1.6))
+        self._wall_angle = PchipInterpolator(u, angle * (1 - q**6))
+        self._outer_angle = PchipInterpolator(u, angle * (1 - q**2.2))
 
         middle = np.interp(np.sqrt(0.3), c, u)
         knots = [0, middle, u[-1]]
@@ -77,9 +79,12 @@ class Meridian:
         """Distance from the nose along the axis and distance from the axis [m]."""
         x, r = self._body.point(self._c(u))
         b = self._stretching(u)
-        distance = self._offset(u) * np.expm1(b * t / self.size.layers) / np.expm1(b)
-        angle = self._angle(u)
-        return x + distance * np.cos(angle), r + distance * np.sin(angle)
+        share = np.expm1(b * t / self.size.layers) / np.expm1(b)
+        wall, outer = self._wall_angle(u), self._outer_angle(u)
+        distance = self._offset(u) * share
+        x += distance * ((1 - share) * np.cos(wall) + share * np.cos(outer))
+        r += distance * ((1 - share) * np.sin(wall) + share * np.sin(outer))
+        return x, r
 
 
 @dataclass
@@ -92,14 +97,18 @@ class SurfaceGrid:
     quads: np.ndarray  # (n, 4) node numbers
 
 
-def _disc(size: MeshSize) -> tuple[np.ndarray, np.ndarray]:
+# How far the butterfly's square is rounded towards a disc: 0 not at all, 1 entirely. More opens the
+# cells at its corners, less those along its sides; measured to give the least non-orthogonality
+# on the round nose and on the conical tail.
+_ROUNDING = {"nose": 0.35, "tail": 0.6}
+
+
+def _disc(size: MeshSize, rounding: float) -> tuple[np.ndarray, np.ndarray]:
     """Half disc 0 <= y of the butterfly: the square's nodes (2n+1, n+1, 2) and the ring's (m, 4n+1, 2)."""
     n, m = size.cap_cells, size.ring_cells
     p, q = np.meshgrid(np.arange(-n, n + 1) / n, np.arange(0, n + 1) / n, indexing="ij")
-    # Half-way between a square and a disc: its corners open to about 130 degrees,
-    # so that the cells there are as good as those on the sides.
-    rounded = np.stack((p * np.sqrt(1 - q**2 / 2), q * np.sqrt(1 - p**2 / 2)), axis=-1)
-    square = n / (n + m) * (0.45 * np.stack((p, q), axis=-1) + 0.55 * rounded)
+    disc = np.stack((p * np.sqrt(1 - q**2 / 2), q * np.sqrt(1 - p**2 / 2)), axis=-1)
+    square = 0.93 * n / (n + m) * ((1 - rounding) * np.stack((p, q), axis=-1) + rounding * disc)
 
     rim = square[_rim(n)[:, 0], _rim(n)[:, 1]]
     phi = np.pi * np.arange(4 * n + 1) / (4 * n)
@@ -118,7 +127,6 @@ def _rim(n: int) -> np.ndarray:
 def butterfly_surface(size: MeshSize) -> SurfaceGrid:
     """The half surface, 0 <= phi <= pi: butterfly caps at nose and tail, (u, phi) cells between."""
     n, m, total = size.cap_cells, size.ring_cells, size.axial_cells
-    square, ring = _disc(size)
     cap = n + m
     nodes: list[np.ndarray] = []   # (u, cos, sin) blocks
     quads: list[np.ndarray] = []
@@ -144,6 +152,7 @@ def butterfly_surface(size: MeshSize) -> SurfaceGrid:
 
     circles = []
     for tail in (False, True):
+        square, ring = _disc(size, _ROUNDING["tail" if tail else "nose"])
         core = polar(square, tail)
         rings = np.vstack((core[_rim(n)[:, 0], _rim(n)[:, 1]][None], polar(ring, tail)))
         patch(core, flip=not tail)
