@@ -126,8 +126,11 @@ def key_numbers(trajectory: Table, ledger: Table | None, extent: Table) -> Quant
     extent: time_s, low_m and high_m of the body, from its surface at the written times.
     """
     time, speed = trajectory["time_s"], trajectory["speed_m_s"]
-    peak = int(np.argmax(trajectory["deceleration_m_s2"]))
     contact = crossing(time, trajectory["penetration_m"])
+    # A start-up transient before contact is no impact; it is reported apart.
+    wet = time >= contact if np.isfinite(contact) else np.ones_like(time, bool)
+    slow = trajectory["deceleration_m_s2"]
+    peak = int(np.argmax(np.where(wet, slow, -np.inf)))
     immersion = crossing(extent["time_s"], extent["high_m"], falling=True)
 
     def at(name: str, when: float) -> float:
@@ -138,9 +141,10 @@ def key_numbers(trajectory: Table, ledger: Table | None, extent: Table) -> Quant
         "full immersion time": (immersion, "s"),
         "end time": (float(time[-1]), "s"),
         "initial speed": (float(speed[0]), "m/s"),
-        "peak deceleration": (float(trajectory["deceleration_m_s2"][peak]), "m/s2"),
-        "peak deceleration in g": (float(trajectory["deceleration_m_s2"][peak]) / G0, "g"),
+        "peak deceleration": (float(slow[peak]), "m/s2"),
+        "peak deceleration in g": (float(slow[peak]) / G0, "g"),
         "time of peak deceleration": (float(time[peak]), "s"),
+        "largest |deceleration| before contact": (float(np.max(np.abs(slow[~wet]), initial=0.0)), "m/s2"),
         "velocity lost at full immersion": (float(speed[0]) - at("speed_m_s", immersion), "m/s"),
         "velocity lost at end": (float(speed[0] - speed[-1]), "m/s"),
         "pitch change at full immersion": (at("pitch_deg", immersion) - float(trajectory["pitch_deg"][0]), "deg"),
@@ -221,3 +225,24 @@ def cell_count(case: Path) -> int:
             raise CaseError(f"{mesh / 'owner'}: its header does not say nCells")
         total += int(note.group(1))
     return total
+
+
+PARAMETERS = "system/plungeParameters"
+
+
+def scene_name(case: Path) -> str:
+    """titan or water, where the case says so in system/plungeParameters; else empty."""
+    return entry(case, PARAMETERS, "fluids") if (case / PARAMETERS).is_file() else ""
+
+
+def describe(case: Path) -> str:
+    """One line that names the case: fluids, model, tier and cells."""
+    words = [case.resolve().name]
+    if (case / PARAMETERS).is_file():
+        words += [
+            entry(case, PARAMETERS, "fluids"),
+            f"{entry(case, PARAMETERS, 'model')} model",
+            f"tier {entry(case, PARAMETERS, 'tier')}",
+        ]
+    words.append(f"{cell_count(case):,} cells")
+    return ", ".join(words)

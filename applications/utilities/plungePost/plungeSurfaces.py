@@ -22,7 +22,6 @@ from vtkmodules.vtkCommonDataModel import (
     vtkStaticPointLocator,
     vtkUnstructuredGrid,
 )
-from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersCore import (
     vtkAppendFilter,
     vtkAppendPolyData,
@@ -37,10 +36,10 @@ from vtkmodules.vtkFiltersCore import (
     vtkThreshold,
     vtkTriangleFilter,
 )
-from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
 from vtkmodules.vtkIOGeometry import vtkOpenFOAMReader
 from vtkmodules.vtkIOParallel import vtkPOpenFOAMReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
+from vtkmodules.vtkParallelCore import vtkDummyController
 
 from plungeResults import CaseError, patch_types
 
@@ -134,20 +133,19 @@ def append(parts: list[vtkPolyData]) -> vtkPolyData:
 
 def mirrored(surface: vtkPolyData) -> vtkPolyData:
     """The surface and its mirror image in the symmetry plane y = 0."""
-    if surface.GetPointData().GetArray("U"):
-        surface.GetPointData().SetActiveVectors("U")
-    if surface.GetCellData().GetArray("U"):
-        surface.GetCellData().SetActiveVectors("U")
-    flip = vtkTransform()
-    flip.Scale(1, -1, 1)
-    image = vtkTransformPolyDataFilter()
-    image.SetInputData(surface)
-    image.SetTransform(flip)
     outward = vtkReverseSense()  # a mirror image is wound the other way round
-    outward.SetInputConnection(image.GetOutputPort())
+    outward.SetInputData(surface)
     outward.ReverseCellsOn()
     outward.Update()
-    return append([surface, outward.GetOutput()])
+    image = vtkPolyData()
+    image.DeepCopy(outward.GetOutput())
+    if image.GetNumberOfPoints():
+        vtk_to_numpy(image.GetPoints().GetData())[:, 1] *= -1
+    for attributes in (image.GetPointData(), image.GetCellData()):
+        for array in (attributes.GetArray(i) for i in range(attributes.GetNumberOfArrays())):
+            if array.GetNumberOfComponents() == 3 and array.GetNumberOfTuples():
+                vtk_to_numpy(array)[:, 1] *= -1
+    return append([surface, image])
 
 
 def cut_away(surface: vtkPolyData, enclosure: vtkPolyData) -> vtkPolyData:
@@ -241,6 +239,7 @@ class Case:
         decomposed = len(parallel) > len(written)
         reader = vtkPOpenFOAMReader() if decomposed else vtkOpenFOAMReader()
         if decomposed:
+            reader.SetController(vtkDummyController())  # it crashes without one
             reader.SetCaseType(vtkPOpenFOAMReader.DECOMPOSED_CASE)
         reader.SetFileName(str(opener))
         reader.SkipZeroTimeOff()
@@ -339,7 +338,7 @@ def read_surface(path: Path) -> vtkPolyData:
 
 
 def write_surface_series(case: Case, folder: Path) -> dict[str, np.ndarray]:
-    """Write both series; return time (s), lowest and highest point of the body (m)."""
+    """Write both series; return the table time_s, low_m, high_m of the body's lowest and highest point."""
     water, body = Series(folder, "freeSurface"), Series(folder, "body")
     extent = []
     for time in case.times:
@@ -347,4 +346,4 @@ def write_surface_series(case: Case, folder: Path) -> dict[str, np.ndarray]:
         water.add(time, surface)
         body.add(time, hull)
         extent.append((time, *hull.GetBounds()[4:6]))
-    return dict(zip(("time", "low", "high"), np.array(extent).T))
+    return dict(zip(("time_s", "low_m", "high_m"), np.array(extent).T))

@@ -1,0 +1,163 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Figures of one dive, and of several dives on the same axes. Curves are drawn as computed, never smoothed."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("Agg")  # no display needed
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from plungeResults import G0, Quantities, Table
+
+plt.rcParams.update({
+    "font.size": 9, "axes.titlesize": 9.5, "axes.grid": True, "grid.alpha": 0.35, "grid.linewidth": 0.5,
+    "lines.linewidth": 1.1, "legend.fontsize": 8, "legend.frameon": False, "savefig.dpi": 150,
+    "axes.spines.top": False, "axes.formatter.useoffset": False,
+})
+
+A4 = (8.27, 11.69)  # inches
+
+
+def limits_from_contact(axes: Axes, curves: list[tuple[np.ndarray, np.ndarray, float]]) -> None:
+    """Fit the axis to what happens from contact on; the start-up before it is named where it does not fit.
+
+    curves: (time in s, values, time of contact in s).
+    """
+    wet = np.concatenate([v[(t >= contact) | ~np.isfinite(contact)] for t, v, contact in curves])
+    whole = np.concatenate([v for _, v, _ in curves])
+    low, high = min(0.0, wet.min(initial=0.0)), max(0.0, wet.max(initial=0.0))
+    if low == high:
+        return
+    margin = 0.05 * (high - low)
+    axes.set_ylim(low - margin, high + margin)
+    beyond = [f"{v:.3g}" for v in (whole.min(), whole.max()) if not low - margin <= v <= high + margin]
+    if beyond:
+        axes.text(0.99, 0.98, f"before contact, off the axis: {', '.join(beyond)}", transform=axes.transAxes,
+                  ha="right", va="top", fontsize=7, color="0.35")
+
+
+def mark(axes: Axes, events: dict[str, float]) -> None:
+    """Vertical lines at the events (name -> time in s); the time axis is in ms."""
+    for name, time in events.items():
+        if np.isfinite(time):
+            axes.axvline(1e3 * time, color="0.45", linewidth=0.8, linestyle=(0, (4, 3)), zorder=0)
+            axes.text(1e3 * time, 1.005, name, transform=axes.get_xaxis_transform(), fontsize=7,
+                      color="0.35", ha="center", va="bottom")
+
+
+def events_of(numbers: Quantities) -> dict[str, float]:
+    return {"contact": numbers["contact time"][0], "immersed": numbers["full immersion time"][0]}
+
+
+def panel(axes: Axes, title: str, ylabel: str, events: dict[str, float]) -> None:
+    axes.set_title(title, loc="left", pad=12)
+    axes.set_ylabel(ylabel)
+    axes.set_xlabel("time [ms]")
+    mark(axes, events)
+
+
+def deceleration_axis_in_g(axes: Axes) -> None:
+    axes.secondary_yaxis("right", functions=(lambda a: a / G0, lambda g: g * G0)).set_ylabel("[g]")
+
+
+def along_path(table: Table, part: str) -> np.ndarray:
+    """Component of a force against the velocity of the centre of mass, in N (positive: it slows the body)."""
+    velocity = np.array([table[f"v{c}_m_s"] for c in "xyz"])
+    force = np.array([table[f"F{part}{c}_N"] for c in "xyz"])
+    return -(force * velocity).sum(axis=0) / np.maximum(np.linalg.norm(velocity, axis=0), 1e-12)
+
+
+def trajectory_figure(title: str, table: Table, ledger: Table | None, numbers: Quantities) -> Figure:
+    """One A4 page on one dive."""
+    figure, axes = plt.subplots(4, 2, figsize=A4, constrained_layout=True)
+    figure.suptitle(title, fontsize=11)
+    (path, depth), (speed, slow), (lateral, pitch), (force, volume) = axes
+    time, events = table["time_s"], events_of(numbers)
+    ms, contact = 1e3 * time, events["contact"]
+
+    path.plot(table["x_m"], table["z_m"], color="C0")
+    for name, when in events.items():
+        if np.isfinite(when):
+            x, z = (np.interp(when, table["time_s"], table[c]) for c in ("x_m", "z_m"))
+            path.plot(x, z, "o", color="0.35", markersize=3.5)
+            path.annotate(name, (x, z), textcoords="offset points", xytext=(6, 0), fontsize=7, color="0.35", va="center")
+    path.axhline(0, color="C0", linewidth=0.6)
+    path.set_title("Path of the centre of mass", loc="left", pad=12)
+    path.set_xlabel("x [m]")
+    path.set_ylabel("z [m]")
+    path.set_aspect("equal", adjustable="datalim")
+
+    depth.plot(ms, table["penetration_m"])
+    panel(depth, "Penetration depth", "depth [m]", events)
+
+    speed.plot(ms, table["speed_m_s"])
+    panel(speed, "Speed of the centre of mass", "speed [m/s]", events)
+
+    slow.plot(ms, table["deceleration_m_s2"], color="C3")
+    limits_from_contact(slow, [(time, table["deceleration_m_s2"], contact)])
+    panel(slow, "Axial deceleration", "deceleration [m/s$^2$]", events)
+    deceleration_axis_in_g(slow)
+
+    lateral.plot(ms, table["a3_m_s2"], color="C4", label="dorsal, $a_3$")
+    lateral.plot(ms, table["a2_m_s2"], color="C2", linewidth=0.8, label="sideways, $a_2$")
+    limits_from_contact(lateral, [(time, table[a], contact) for a in ("a3_m_s2", "a2_m_s2")])
+    panel(lateral, "Lateral acceleration, body axes", "acceleration [m/s$^2$]", events)
+    deceleration_axis_in_g(lateral)
+    lateral.legend()
+
+    pitch.plot(ms, table["pitch_deg"], color="C4")
+    panel(pitch, "Pitch", "pitch [deg]", events)
+
+    parts = {"pressure": ("p", "C0"), "viscous": ("v", "C1"), "gravity": ("g", "C2")}
+    drags = {label: along_path(table, part) for label, (part, _) in parts.items()}
+    for label, (_, colour) in parts.items():
+        force.plot(ms, drags[label], color=colour, label=label)
+    limits_from_contact(force, [(time, drag, contact) for drag in drags.values()])
+    panel(force, "Force against the motion, whole body", "force [N]", events)
+    force.legend()
+
+    if ledger is None:
+        volume.set_axis_off()
+    else:
+        volume.plot(1e3 * ledger["time_s"], ledger["error_percent_of_body_volume"], color="C5")
+        panel(volume, "Error of the ledger of liquid volume", "error [% of body volume]", events)
+    return figure
+
+
+def overlay_figure(dives: list[tuple[str, Table, Quantities]]) -> Figure:
+    """Several dives (label, trajectory, key numbers) on the same axes."""
+    figure, axes = plt.subplots(2, 2, figsize=(A4[0] * 1.25, A4[0] * 0.95), constrained_layout=True)
+    (slow, lost), (depth, pitch) = axes
+    for i, (label, table, numbers) in enumerate(dives):
+        ms, colour = 1e3 * table["time_s"], f"C{i}"
+        slow.plot(ms, table["deceleration_m_s2"], color=colour, label=label)
+        lost.plot(ms, table["speed_m_s"][0] - table["speed_m_s"], color=colour)
+        depth.plot(ms, table["penetration_m"], color=colour)
+        pitch.plot(ms, table["pitch_deg"], color=colour)
+        for ax in axes.flat:
+            for time in events_of(numbers).values():
+                if np.isfinite(time):
+                    ax.axvline(1e3 * time, color=colour, linewidth=0.7, linestyle=(0, (4, 3)), alpha=0.7, zorder=0)
+    limits_from_contact(slow, [(table["time_s"], table["deceleration_m_s2"], numbers["contact time"][0])
+                               for _, table, numbers in dives])
+    panel(slow, "Axial deceleration", "deceleration [m/s$^2$]", {})
+    deceleration_axis_in_g(slow)
+    panel(lost, "Speed lost", "initial speed - speed [m/s]", {})
+    panel(depth, "Penetration depth", "depth [m]", {})
+    panel(pitch, "Pitch", "pitch [deg]", {})
+    figure.legend(*slow.get_legend_handles_labels(), loc="lower center",
+                  bbox_to_anchor=(0.5, 1.0), ncol=min(2, len(dives)))
+    return figure
+
+
+def save(figure: Figure, path: Path) -> None:
+    """Write the figure in the format of the path's suffix."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    figure.savefig(path, bbox_inches="tight")

@@ -1,0 +1,334 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""plungePost: tables over restarts, key numbers, free surface of a composite mesh, pictures."""
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+TOOLS = Path(__file__).resolve().parents[2] / "applications/utilities/plungePost"
+sys.path.insert(0, str(TOOLS))
+
+from plungeResults import (  # noqa: E402
+    TRAJECTORY_COLUMNS,
+    CaseError,
+    cell_count,
+    crossing,
+    gather,
+    key_numbers,
+    patch_types,
+    read_numbers,
+    read_table,
+    write_numbers,
+    write_table,
+)
+
+
+# --- tables over restarts ------------------------------------------------------
+
+
+def write_part(case: Path, start: str, times: list[float], value: float, name: str = "trajectory") -> Path:
+    folder = case / "postProcessing" / name / start
+    folder.mkdir(parents=True)
+    rows = "".join(f"{t},{value}\n" for t in times)
+    (folder / f"{name}.csv").write_text("time_s,speed_m_s\n" + rows)
+    return folder / f"{name}.csv"
+
+
+def test_a_later_start_overrides_the_overlap(tmp_path):
+    write_part(tmp_path, "0", [0.001, 0.002, 0.0022, 0.003, 0.004], 1)
+    write_part(tmp_path, "0.002", [0.0025, 0.003], 2)
+    write_part(tmp_path, "0.01", [], 4)  # stopped before its first step
+    table = gather(tmp_path)["trajectory"]
+    assert table["time_s"].tolist() == [0.001, 0.002, 0.0025, 0.003]
+    assert table["speed_m_s"].tolist() == [1, 1, 2, 2]
+
+
+def test_start_times_are_ordered_as_numbers(tmp_path):
+    write_part(tmp_path, "10", [11.0], 3)
+    write_part(tmp_path, "9", [10.0], 2)
+    assert gather(tmp_path)["trajectory"]["time_s"].tolist() == [10, 11]
+
+
+def test_a_restart_time_rounded_in_the_folder_name_loses_no_row(tmp_path):
+    write_part(tmp_path, "0", [0.1, 0.20000000001], 1)
+    write_part(tmp_path, "0.2", [0.3], 2)
+    assert gather(tmp_path)["trajectory"]["time_s"].size == 3
+
+
+def test_tables_are_gathered_by_name_and_units_stay_in_the_header(tmp_path):
+    write_part(tmp_path, "0", [1.0], 1)
+    write_part(tmp_path, "0", [1.0], 7, name="volumeLedger")
+    tables = gather(tmp_path)
+    assert set(tables) == {"trajectory", "volumeLedger"}
+    write_table(tmp_path / "out.csv", tables["volumeLedger"])
+    assert (tmp_path / "out.csv").read_text() == "time_s,speed_m_s\n1,7\n"
+
+
+def test_two_function_objects_with_one_table_name_are_refused(tmp_path):
+    write_part(tmp_path, "0", [1.0], 1)
+    other = tmp_path / "postProcessing/second/0"
+    other.mkdir(parents=True)
+    (other / "trajectory.csv").write_text("time_s,speed_m_s\n")
+    with pytest.raises(CaseError, match="two function objects write trajectory.csv"):
+        gather(tmp_path)
+
+
+def test_a_missing_column_is_named_with_its_file(tmp_path):
+    path = write_part(tmp_path, "0", [1.0], 1)
+    with pytest.raises(CaseError) as error:
+        read_table(path, ["time_s", "pitch_deg"])
+    assert str(path) in str(error.value) and "no column pitch_deg;" in str(error.value)
+
+
+def test_half_a_line_of_a_killed_run_is_left_out(tmp_path):
+    path = write_part(tmp_path, "0", [1.0, 2.0], 1)
+    path.write_text(path.read_text() + "3.0,1")
+    assert read_table(path)["time_s"].tolist() == [1, 2]
+
+
+def test_a_damaged_line_is_named(tmp_path):
+    path = write_part(tmp_path, "0", [1.0, 2.0], 1)
+    path.write_text(path.read_text().replace("2.0,1", "2.0"))
+    with pytest.raises(CaseError, match="line 3: 1 values for 2 columns"):
+        read_table(path)
+
+
+# --- numbers -------------------------------------------------------------------
+
+
+def constant_deceleration() -> dict[str, np.ndarray]:
+    """25 m/s straight down, 50 m/s2 from the nose's contact at t = 1 ms on, a start-up spike before."""
+    t = np.linspace(0, 0.05, 501)
+    wet = np.maximum(t - 1e-3, 0)
+    table = {name: np.zeros_like(t) for name in TRAJECTORY_COLUMNS}
+    table["time_s"] = t
+    table["speed_m_s"] = 25 - 50 * wet
+    table["penetration_m"] = 25 * (t - 1e-3) - 25 * wet**2
+    table["deceleration_m_s2"] = np.where(t >= 1e-3, 50 + t, 0)
+    table["deceleration_m_s2"][2] = -400
+    table["pitch_deg"] = -90 + 100 * t
+    return table
+
+
+def test_key_numbers_of_a_known_dive(tmp_path):
+    table = constant_deceleration()
+    tail = {"time_s": table["time_s"][::50], "high_m": 1 - table["penetration_m"][::50]}
+    ledger = {"time_s": np.array([0, 1.0]), "error_percent_of_body_volume": np.array([-0.3, 0.2])}
+    numbers = key_numbers(table, ledger, tail)
+    value = {name: v for name, (v, _) in numbers.items()}
+    wet = (25 - np.sqrt(25**2 - 4 * 25 * 1)) / (2 * 25)  # 25 w - 25 w^2 = 1
+    assert value["contact time"] == pytest.approx(1e-3, abs=1e-9)
+    assert value["full immersion time"] == pytest.approx(1e-3 + wet, abs=2e-5)
+    assert value["velocity lost at full immersion"] == pytest.approx(50 * wet, rel=1e-3)
+    assert value["peak deceleration"] == pytest.approx(50.05)
+    assert value["time of peak deceleration"] == pytest.approx(0.05)
+    assert value["largest |deceleration| before contact"] == 400
+    assert value["pitch change at end"] == pytest.approx(5)
+    assert value["max |volume ledger error|"] == 0.3
+    assert value["volume ledger error at end"] == 0.2
+
+    write_numbers(tmp_path / "summary.csv", numbers)
+    again = read_numbers(tmp_path / "summary.csv")
+    assert again["peak deceleration in g"] == (pytest.approx(50.05 / 9.80665, rel=1e-5), "g")
+
+
+def test_an_event_that_does_not_happen_is_nan():
+    assert np.isnan(crossing(np.array([0.0, 1.0]), np.array([-2.0, -1.0])))
+    assert crossing(np.array([0.0, 1.0]), np.array([-1.0, 3.0])) == 0.25
+    assert crossing(np.array([0.0, 1.0]), np.array([3.0, -1.0]), falling=True) == 0.75
+
+
+def test_force_along_the_path_is_positive_when_it_slows():
+    from plungeFigures import along_path
+
+    table = {"vx_m_s": [3.0], "vy_m_s": [0.0], "vz_m_s": [-4.0], "Fpx_N": [0.0], "Fpy_N": [9.0], "Fpz_N": [10.0]}
+    assert along_path({k: np.array(v) for k, v in table.items()}, "p") == pytest.approx([8.0])
+
+
+# --- the case's mesh -------------------------------------------------------------
+
+
+def test_patches_and_cells_are_read_from_the_mesh(tmp_path):
+    mesh = tmp_path / "constant/polyMesh"
+    mesh.mkdir(parents=True)
+    (mesh / "boundary").write_text(
+        "FoamFile\n{\n version 2.0;\n class polyBoundaryMesh;\n}\n2\n(\n"
+        " body\n {\n  type wall;\n  nFaces 3;\n }\n sides\n {\n  inGroups 1(overset);\n  type overset;\n }\n)\n"
+    )
+    (mesh / "owner").write_bytes(b'FoamFile\n{\n note "nPoints:8  nCells:27  nFaces:6";\n}\n\x00\xff')
+    assert patch_types(tmp_path) == {"body": "wall", "sides": "overset"}
+    assert cell_count(tmp_path) == 27
+
+
+# --- free surface of a composite mesh ----------------------------------------------
+
+TILT = np.radians(30)
+
+
+def block(low, high, cells, angle=0.0):
+    """Hexahedra that fill a box, turned about the y axis."""
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    from vtkmodules.vtkCommonDataModel import vtkImageData
+    from vtkmodules.vtkFiltersCore import vtkAppendFilter
+
+    image = vtkImageData()
+    image.SetDimensions(*(n + 1 for n in cells))
+    image.SetOrigin(low)
+    image.SetSpacing([(h - l) / n for l, h, n in zip(low, high, cells)])
+    grid = vtkAppendFilter()
+    grid.AddInputData(image)
+    grid.Update()
+    mesh = grid.GetOutput()
+    points = vtk_to_numpy(mesh.GetPoints().GetData())
+    c, s = np.cos(angle), np.sin(angle)
+    points[:] = points @ np.array([[c, 0, -s], [0, 1, 0], [s, 0, c]])
+    return mesh
+
+
+def sides_of(mesh):
+    """Outer boundary of a block without its faces on y = 0, if it has any."""
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    from vtkmodules.vtkCommonDataModel import vtkPlane
+    from vtkmodules.vtkFiltersExtraction import vtkExtractPolyDataGeometry
+    from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
+
+    faces = vtkGeometryFilter()
+    faces.SetInputData(mesh)
+    faces.Update()
+    surface = faces.GetOutput()
+    if abs(vtk_to_numpy(surface.GetPoints().GetData())[:, 1].min()) > 1e-9:
+        return surface
+    plane = vtkPlane()
+    plane.SetOrigin(0, 1e-6, 0)
+    plane.SetNormal(0, -1, 0)
+    cut = vtkExtractPolyDataGeometry()
+    cut.SetInputData(surface)
+    cut.SetImplicitFunction(plane)
+    cut.ExtractInsideOn()
+    cut.ExtractBoundaryCellsOn()
+    cut.Update()
+    return cut.GetOutput()
+
+
+def composite(half: bool):
+    """Background and turned body mesh in still liquid that fills z < 0.1 x; garbage in the holes."""
+    from vtkmodules.numpy_interface import dataset_adapter as dsa
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkCellCenters
+
+    y = 0.0 if half else -1.0
+    n = 10 if half else 20
+    background = block((-1, y, -1), (1, 1, 1), (20, n, 20))
+    body = block((-0.45, 0.4 * y, -0.6), (0.45, 0.4, 0.6), (15, n // 2, 19), TILT)
+    together = vtkAppendFilter()
+    together.AddInputData(background)
+    together.AddInputData(body)
+    together.Update()
+    mesh = together.GetOutput()
+    centres = vtkCellCenters()
+    centres.SetInputData(mesh)
+    centres.Update()
+    c = vtk_to_numpy(centres.GetOutput().GetPoints().GetData())
+    zone = np.repeat([0.0, 1.0], [background.GetNumberOfCells(), body.GetNumberOfCells()])
+    hole = (zone == 0) & (np.linalg.norm(c, axis=1) < 0.3)
+    alpha = np.clip(0.5 - 2 * (c[:, 2] - 0.1 * c[:, 0]), 0, 1)
+    alpha[hole] = np.random.default_rng(1).random(hole.sum())
+    cells = dsa.WrapDataObject(mesh).CellData
+    cells.append(alpha, "alpha.liquid")
+    cells.append(np.where(hole, 2.0, 0.0), "cellTypes")
+    cells.append(zone, "zoneID")
+    cells.append(np.where(hole, np.nan, c[:, 0]), "p")
+    cells.append(np.column_stack((c[:, 0], c[:, 1], c[:, 2])), "U")
+    return mesh, sides_of(body)
+
+
+def area(surface) -> float:
+    from vtkmodules.vtkFiltersCore import vtkMassProperties, vtkTriangleFilter
+
+    triangles = vtkTriangleFilter()
+    triangles.SetInputData(surface)
+    mass = vtkMassProperties()
+    mass.SetInputConnection(triangles.GetOutputPort())
+    return mass.GetSurfaceArea()
+
+
+@pytest.mark.parametrize("half", [False, True])
+def test_the_free_surface_is_there_exactly_once(half):
+    from plungeSurfaces import free_surface
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+
+    mesh, sides = composite(half)
+    surface = free_surface(mesh, "alpha.liquid", [sides], half, ["p", "U"])
+    points = vtk_to_numpy(surface.GetPoints().GetData())
+    # 2 m by 2 m, tilted: counted once. The body mesh's share of it is 0.8 m by more than 0.9 m.
+    assert area(surface) == pytest.approx(4 * np.sqrt(1.01), rel=0.005)
+    assert np.abs(points[:, 2] - 0.1 * points[:, 0]).max() < 0.01  # no garbage from the holes
+    pressure = vtk_to_numpy(surface.GetPointData().GetArray("p"))
+    assert np.abs(pressure - points[:, 0]).max() < 0.06  # one-sided at the domain's edge
+    velocity = vtk_to_numpy(surface.GetPointData().GetArray("U"))
+    if half:  # mirrored, vectors too; the symmetry plane itself is one-sided
+        assert points[:, 1].min() == pytest.approx(-1)
+        assert velocity[points[:, 1] < -0.1, 1].max() < 0
+    assert surface.GetPointData().GetNumberOfArrays() == 2
+
+
+def test_a_single_mesh_needs_no_overset_fields():
+    from plungeSurfaces import free_surface
+
+    mesh, _ = composite(False)
+    for name in ("cellTypes", "zoneID"):
+        mesh.GetCellData().RemoveArray(name)
+    free_surface(mesh, "alpha.liquid", [], False, ["p"])
+    with pytest.raises(CaseError, match="field zoneID is not among"):
+        free_surface(mesh, "alpha.liquid", [mesh], False, ["p"])
+
+
+# --- VTK series and pictures -------------------------------------------------------
+
+
+def write_dive(folder: Path) -> None:
+    """Flat liquid and a sphere that sinks into it."""
+    from plungeSurfaces import Series, free_surface
+    from vtkmodules.vtkFiltersSources import vtkSphereSource
+
+    mesh, sides = composite(False)
+    liquid, body = Series(folder, "freeSurface"), Series(folder, "body")
+    for time, z in ((0.0, 0.5), (0.01, 0.2), (0.02, -0.3)):
+        sphere = vtkSphereSource()
+        sphere.SetCenter(0, 0, z)
+        sphere.SetRadius(0.2)
+        sphere.Update()
+        liquid.add(time, free_surface(mesh, "alpha.liquid", [sides], False, ["p", "U"]))
+        body.add(time, sphere.GetOutput())
+
+
+def test_the_series_is_what_paraview_expects(tmp_path):
+    from plungeSurfaces import read_series, read_surface
+
+    write_dive(tmp_path)
+    series = json.loads((tmp_path / "body.vtp.series").read_text())
+    assert series["file-series-version"] == "1.0"
+    assert [f["time"] for f in series["files"]] == [0.0, 0.01, 0.02]
+    heights = [read_surface(path).GetBounds()[4] for _, path in read_series(tmp_path, "body")]
+    assert heights == pytest.approx([0.3, 0.0, -0.5], abs=1e-6)
+
+
+def test_pictures_are_drawn_without_a_display(tmp_path):
+    import matplotlib.image
+
+    write_dive(tmp_path / "results/VTK")
+    environment = {name: value for name, value in os.environ.items() if name != "DISPLAY"}
+    subprocess.run([TOOLS / "plungePictures", tmp_path, "--panels", "2", "--width", "160"],
+                   check=True, env=environment)
+    sheet = matplotlib.image.imread(tmp_path / "results/dive.png")
+    assert sheet.shape[:2] == (200, 2 * 160 + 8)
+    first, second = sheet[:, :160, :3], sheet[:, 168:, :3]
+    body = [picture[..., 0] > picture[..., 2] + 0.25 for picture in (first, second)]  # orange in blue
+    height = [np.mean(np.nonzero(seen)[0]) for seen in body if seen.sum() > 50]
+    assert len(height) == 2 and height[1] > height[0] + 20  # rows count downwards: it sinks
+    assert sorted(p.name for p in (tmp_path / "results/dive").iterdir()) == ["dive_0.png", "dive_1.png"]
