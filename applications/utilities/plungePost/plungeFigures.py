@@ -121,7 +121,7 @@ def trajectory_figure(title: str, table: Table, ledger: Table | None, numbers: Q
         force.plot(ms, drags[label], color=colour, label=label)
     limits_from_contact(force, [(time, drag, contact) for drag in drags.values()])
     panel(force, "Force against the motion, whole body", "force [N]", events)
-    force.legend()
+    force.legend(loc="center right")
 
     if ledger is None:
         volume.set_axis_off()

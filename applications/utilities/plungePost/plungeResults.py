@@ -227,22 +227,21 @@ def cell_count(case: Path) -> int:
     return total
 
 
-PARAMETERS = "system/plungeParameters"
+PARAMETERS = "system/plungeGenerated"  # written by plungeCase
 
 
 def scene_name(case: Path) -> str:
-    """titan or water, where the case says so in system/plungeParameters; else empty."""
+    """The fluids (titan, water, ...), where plungeCase has set the case up; else empty."""
     return entry(case, PARAMETERS, "fluids") if (case / PARAMETERS).is_file() else ""
 
 
 def describe(case: Path) -> str:
-    """One line that names the case: fluids, model, tier and cells."""
+    """One line that names the case: directory, fluids, model, tier and cells."""
     words = [case.resolve().name]
     if (case / PARAMETERS).is_file():
-        words += [
-            entry(case, PARAMETERS, "fluids"),
-            f"{entry(case, PARAMETERS, 'model')} model",
-            f"tier {entry(case, PARAMETERS, 'tier')}",
-        ]
+        given = {name: entry(case, PARAMETERS, name) for name in ("fluids", "model", "tier", "resolution")}
+        words += [f"fluids {given['fluids']}", f"{given['model']} model", f"tier {given['tier']}"]
+        if float(given["resolution"]) != 1:
+            words.append(f"resolution {given['resolution']}")
     words.append(f"{cell_count(case):,} cells")
     return ", ".join(words)
