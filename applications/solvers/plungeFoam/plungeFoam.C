@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/*---------------------------------------------------------------------------*\
+Application
+    plungeFoam
+
+Description
+    A rigid body that plunges into a liquid: two incompressible immiscible
+    fluids with a free surface by the volume-of-fluid method, on a mesh that
+    moves with the body, overset meshes included. Cases are interFoam's;
+    constant/sceneProperties says what a scene contains.
+\*---------------------------------------------------------------------------*/
+
+#include "argList.H"
+#include "freeSurfaceFlow.H"
+
+using namespace Foam;
+
+int main(int argc, char *argv[])
+{
+    argList::addNote
+    (
+        "Two incompressible immiscible fluids with a free surface and a rigid"
+        " body that plunges into them, on any dynamic mesh, overset included."
+    );
+
+    #include "addCheckCaseOptions.H"
+    #include "setRootCaseLists.H"
+    #include "createTime.H"
+    #include "createDynamicFvMesh.H"
+
+    freeSurfaceFlow flow(mesh);
+
+    Info<< "\nStarting time loop\n" << endl;
+
+    while (runTime.run())
+    {
+        flow.chooseTimeStep(runTime);
+
+        ++runTime;
+        Info<< "Time = " << runTime.timeName() << nl << endl;
+
+        while (flow.pimple().loop())
+        {
+            flow.moveMesh();
+            flow.advectInterface();
+
+            if (flow.pimple().frozenFlow())
+            {
+                continue;
+            }
+
+            flow.predictMomentum();
+
+            while (flow.pimple().correct())
+            {
+                flow.correctPressure();
+            }
+
+            flow.correctTurbulence();
+        }
+
+        runTime.write();
+        runTime.printExecutionTime(Info);
+    }
+
+    Info<< "End\n" << endl;
+
+    return 0;
+}
+
+// ************************************************************************* //

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "freeSurfaceFlow.H"
+
+void Foam::freeSurfaceFlow::advectInterface()
+{
+    scheme_->advect();
+
+    rho_ ==
+        mixture_.alpha1()*mixture_.rho1() + mixture_.alpha2()*mixture_.rho2();
+
+    if (composite_)
+    {
+        rhoPhi_ *= composite_->faceMask();
+    }
+
+    mixture_.correct();
+    if (interface_)
+    {
+        interface_->correct();
+    }
+
+    const scalarField& alpha = mixture_.alpha1().primitiveField();
+    Info<< "Phase-1 volume fraction = "
+        << gSum(alpha*mesh_.V().field())/gSum(mesh_.V().field())
+        << "  Min(" << mixture_.alpha1().name() << ") = " << gMin(alpha)
+        << "  Max(" << mixture_.alpha1().name() << ") = " << gMax(alpha)
+        << endl;
+}
+
+// ************************************************************************* //

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "freeSurfaceFlow.H"
+#include "fvc.H"
+
+void Foam::freeSurfaceFlow::moveMesh()
+{
+    const meshControls c = controls();
+    if (!(pimple_.firstIter() || c.moveMeshOuterCorrectors))
+    {
+        return;
+    }
+
+    mesh_.update();
+
+    if (!mesh_.changing())
+    {
+        return;
+    }
+
+    if (mesh_.topoChanging())
+    {
+        scheme_->topologyChanged();
+    }
+    if (buoyancy_)
+    {
+        buoyancy_->update(mesh_);
+    }
+    MRF_.update();
+
+    if (composite_)
+    {
+        composite_->update();
+
+        // Faces that were inside holes have no velocity of their own yet
+        surfaceVectorField& Uf = Uf_();
+        const surfaceVectorField Uint(fvc::interpolate(U_));
+        const surfaceScalarField& old = composite_->faceMaskOld();
+        Uf = old*Uf + (scalar(1) - old)*Uint;
+        forAll(Uf.boundaryField(), patchi)
+        {
+            Uf.boundaryFieldRef()[patchi] = Uint.boundaryField()[patchi];
+        }
+
+        phi_ = mesh_.Sf() & Uf;
+        if (c.correctPhi)
+        {
+            projectFlux();
+        }
+        phi_ *= composite_->faceMask();
+        U_ *= composite_->cellMask();
+        fvc::makeRelative(phi_, U_);
+    }
+    else if (c.correctPhi)
+    {
+        phi_ = mesh_.Sf() & Uf_();
+        projectFlux();
+        fvc::makeRelative(phi_, U_);
+    }
+}
+
+// ************************************************************************* //

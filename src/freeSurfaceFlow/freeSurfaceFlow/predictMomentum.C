@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "freeSurfaceFlow.H"
+#include "fvc.H"
+#include "fvm.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::tmp<Foam::surfaceScalarField> Foam::freeSurfaceFlow::bodyForces() const
+{
+    tmp<surfaceScalarField> tforce;
+    if (scene_.surfaceTension())
+    {
+        tforce = interface_->surfaceTensionForce();
+    }
+    if (buoyancy_)
+    {
+        tmp<surfaceScalarField> tweight(-buoyancy_->ghf*fvc::snGrad(rho_));
+        if (tforce.valid())
+        {
+            tforce.ref() += tweight;
+        }
+        else
+        {
+            tforce = tweight;
+        }
+    }
+    return tforce;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::freeSurfaceFlow::predictMomentum()
+{
+    MRF_.correctBoundaryVelocity(U_);
+
+    UEqn_ = tmp<fvVectorMatrix>
+    (
+        fvm::ddt(rho_, U_) + fvm::div(rhoPhi_, U_)
+      + MRF_.DDt(rho_, U_)
+      + turbulence_->divDevRhoReff(rho_, U_)
+     ==
+        fvOptions_(rho_, U_)
+    );
+    fvVectorMatrix& UEqn = UEqn_.ref();
+
+    if (composite_)
+    {
+        // Mass is not conserved in the fringe: take out what it would drag in
+        UEqn -= fvm::Sp(fvc::ddt(rho_) + fvc::div(rhoPhi_), U_);
+    }
+
+    UEqn.relax();
+    fvOptions_.constrain(UEqn);
+
+    if (!pimple_.momentumPredictor())
+    {
+        return;
+    }
+
+    surfaceScalarField force(-fvc::snGrad(p_rgh_));
+    const tmp<surfaceScalarField> tbodyForces(bodyForces());
+    if (tbodyForces.valid())
+    {
+        force += tbodyForces();
+    }
+
+    tmp<volVectorField> tsource(fvc::reconstruct(force*mesh_.magSf()));
+    if (composite_)
+    {
+        tsource = composite_->cellMask()*tsource;
+    }
+    solve(UEqn == tsource);
+    fvOptions_.correct(U_);
+}
+
+// ************************************************************************* //

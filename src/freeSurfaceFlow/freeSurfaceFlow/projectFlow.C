@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "freeSurfaceFlow.H"
+#include "CorrectPhi.H"
+#include "adjustPhi.H"
+#include "fixedValueFvPatchFields.H"
+#include "fvc.H"
+#include "fvm.H"
+#include "zeroGradientFvPatchFields.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::wordList Foam::freeSurfaceFlow::potentialTypes() const
+{
+    wordList types
+    (
+        p_rgh_.boundaryField().size(),
+        zeroGradientFvPatchScalarField::typeName
+    );
+    forAll(types, patchi)
+    {
+        if (p_rgh_.boundaryField()[patchi].fixesValue())
+        {
+            types[patchi] = fixedValueFvPatchScalarField::typeName;
+        }
+    }
+    return types;
+}
+
+
+void Foam::freeSurfaceFlow::projectFlux()
+{
+    if (!composite_)
+    {
+        const dimensionedScalar one("one", dimTime/dimDensity, 1);
+        if (rAU_.valid())
+        {
+            CorrectPhi
+            (
+                U_,
+                phi_,
+                p_rgh_,
+                surfaceScalarField("rAUf", fvc::interpolate(rAU_())),
+                geometricZeroField(),
+                pimple_
+            );
+        }
+        else
+        {
+            CorrectPhi(U_, phi_, p_rgh_, one, geometricZeroField(), pimple_);
+        }
+        printContinuityError();
+        return;
+    }
+
+    // Each zone by itself: the fluxes of the fringe are given
+    correctUphiBCs(U_, phi_);
+
+    volScalarField pcorr
+    (
+        IOobject("pcorr", time_.timeName(), mesh_),
+        mesh_,
+        dimensionedScalar(p_rgh_.dimensions(), Zero),
+        potentialTypes()
+    );
+    mesh_.setFluxRequired(pcorr.name());
+
+    if (pcorr.needReference())
+    {
+        fvc::makeRelative(phi_, U_);
+        adjustPhi(phi_, U_, pcorr);
+        fvc::makeAbsolute(phi_, U_);
+    }
+
+    while (pimple_.correctNonOrthogonal())
+    {
+        fvScalarMatrix pcorrEqn
+        (
+            fvm::laplacian(dimensionedScalar("one", dimTime/dimDensity, 1), pcorr)
+         == fvc::div(phi_)
+        );
+        composite_->setReferences(pcorrEqn);
+
+        // fvMesh's own: without the interpolation between the zones
+        mesh_.fvMesh::solve
+        (
+            pcorrEqn,
+            mesh_.solver(pcorr.select(pimple_.finalNonOrthogonalIter()))
+        );
+
+        if (pimple_.finalNonOrthogonalIter())
+        {
+            phi_ -= pcorrEqn.flux();
+        }
+    }
+}
+
+
+void Foam::freeSurfaceFlow::startImpulsively()
+{
+    Info<< "Initial flow: potential of the body's velocity" << nl << endl;
+}
+
+// ************************************************************************* //

@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "MULESScheme.H"
+#include "addToRunTimeSelectionTable.H"
+#include "CMULES.H"
+#include "CrankNicolsonDdtScheme.H"
+#include "EulerDdtScheme.H"
+#include "fvc.H"
+#include "fvm.H"
+#include "gaussConvectionScheme.H"
+#include "upwind.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace interfaceSchemes
+{
+    defineTypeNameAndDebug(MULES, 0);
+    addToRunTimeSelectionTable(interfaceScheme, MULES, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::interfaceSchemes::MULES::MULES(const fields& f)
+:
+    interfaceScheme(f),
+    restart_(alphaPhi_.typeHeaderOk<surfaceScalarField>(true)),
+    lastCorrection_()
+{
+    mesh_.setFluxRequired(alpha1_.name());
+
+    // Refuse the time schemes that the method does not cover
+    (void)offCentring();
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalar Foam::interfaceSchemes::MULES::offCentring() const
+{
+    const tmp<fv::ddtScheme<scalar>> scheme
+    (
+        fv::ddtScheme<scalar>::New(mesh_, mesh_.ddtScheme("ddt(alpha)"))
+    );
+
+    if (isType<fv::EulerDdtScheme<scalar>>(scheme()))
+    {
+        return 0;
+    }
+
+    if (isType<fv::CrankNicolsonDdtScheme<scalar>>(scheme()))
+    {
+        if (controls().get<label>("nAlphaSubCycles") > 1)
+        {
+            FatalIOErrorInFunction(controls())
+                << "Entry nAlphaSubCycles is "
+                << controls().get<label>("nAlphaSubCycles") << nl
+                << "Expected: 1 with the CrankNicolson time scheme."
+                << exit(FatalIOError);
+        }
+
+        // The first step has no old flux to blend with
+        const Time& time = mesh_.time();
+        return
+            restart_ || time.timeIndex() > time.startTimeIndex() + 1
+          ? refCast<const fv::CrankNicolsonDdtScheme<scalar>>
+            (
+                scheme()
+            ).ocCoeff()
+          : 0;
+    }
+
+    FatalIOErrorInFunction(mesh_.schemesDict().subDict("ddtSchemes"))
+        << "Entry ddt(alpha) (or default) is " << scheme().type() << nl
+        << "Expected: Euler or CrankNicolson for the interface scheme MULES."
+        << exit(FatalIOError);
+    return 0;
+}
+
+
+Foam::tmp<Foam::surfaceScalarField>
+Foam::interfaceSchemes::MULES::centredPhi(const scalar cn) const
+{
+    if (cn == 1)
+    {
+        return f_.phi;
+    }
+    return cn*f_.phi + (1 - cn)*f_.phi.oldTime();
+}
+
+
+Foam::tmp<Foam::surfaceScalarField>
+Foam::interfaceSchemes::MULES::compression(const dictionary& controls) const
+{
+    const scalar cAlpha = f_.interface->cAlpha();
+    const scalar icAlpha = controls.lookupOrDefault<scalar>("icAlpha", 0);
+    const scalar scAlpha = controls.lookupOrDefault<scalar>("scAlpha", 0);
+
+    tmp<surfaceScalarField> tphic(cAlpha*mag(f_.phi/mesh_.magSf()));
+    surfaceScalarField& phic = tphic.ref();
+
+    // Isotropic share
+    if (icAlpha > 0)
+    {
+        phic *= 1 - icAlpha;
+        phic += (cAlpha*icAlpha)*fvc::interpolate(mag(f_.U));
+    }
+
+    // Share of the shear
+    if (scAlpha > 0)
+    {
+        phic +=
+            scAlpha
+           *mag(mesh_.delta() & fvc::interpolate(symm(fvc::grad(f_.U))));
+    }
+
+    // The liquid that a boundary lets in or out is not compressed
+    for (fvsPatchScalarField& p : phic.boundaryFieldRef())
+    {
+        if (!p.coupled())
+        {
+            p == 0;
+        }
+    }
+
+    return tphic;
+}
+
+
+void Foam::interfaceSchemes::MULES::predict
+(
+    const surfaceScalarField& phi,
+    const bool applyLastCorrection
+)
+{
+    fvScalarMatrix eqn
+    (
+        fv::EulerDdtScheme<scalar>(mesh_).fvmDdt(alpha1_)
+      + fv::gaussConvectionScheme<scalar>
+        (
+            mesh_,
+            phi,
+            upwind<scalar>(mesh_, phi)
+        ).fvmDiv(phi, alpha1_)
+    );
+    if (f_.composite)
+    {
+        eqn -= fvm::Sp
+        (
+            mesh_.moving()
+          ? fvc::div(phi + mesh_.phi())().internalField()
+          : fvc::div(phi)().internalField(),
+            alpha1_
+        );
+    }
+    eqn.solve();
+
+    const tmp<surfaceScalarField> tupwind(eqn.flux());
+    alphaPhi_ = tupwind();
+
+    if (applyLastCorrection && lastCorrection_.valid())
+    {
+        Foam::MULES::correct
+        (
+            geometricOneField(),
+            alpha1_,
+            alphaPhi_,
+            lastCorrection_.ref(),
+            oneField(),
+            zeroField()
+        );
+        alphaPhi_ += lastCorrection_();
+    }
+
+    lastCorrection_ = tupwind;
+    alpha2_ = 1 - alpha1_;
+}
+
+
+// * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * //
+
+void Foam::interfaceSchemes::MULES::advance()
+{
+    const dictionary& c = controls();
+    const label nCorr = c.get<label>("nAlphaCorr");
+    const bool implicit = c.lookupOrDefault<bool>("MULESCorr", false);
+    const bool reuse = c.lookupOrDefault<bool>("alphaApplyPrevCorr", false);
+
+    // Weight of the new time level
+    const scalar cn = 1/(1 + offCentring());
+
+    const tmp<surfaceScalarField> tphi(centredPhi(cn));
+    const surfaceScalarField& phi = tphi();
+
+    const surfaceScalarField phic(compression(c));
+
+    if (implicit)
+    {
+        predict(phi, reuse);
+    }
+
+    for (label corr = 0; corr < nCorr; ++corr)
+    {
+        f_.interface->correct();
+        const surfaceScalarField phir(phic*f_.interface->nHatf());
+
+        tmp<surfaceScalarField> tunbounded
+        (
+            fvc::flux
+            (
+                phi,
+                cn*alpha1_ + (1 - cn)*alpha1_.oldTime(),
+                "div(phi,alpha)"
+            )
+          + fvc::flux
+            (
+               -fvc::flux(-phir, alpha2_, "div(phirb,alpha)"),
+                alpha1_,
+                "div(phirb,alpha)"
+            )
+        );
+
+        if (implicit)
+        {
+            tmp<surfaceScalarField> tcorrection(tunbounded() - alphaPhi_);
+            const volScalarField alphaLast("alphaLast", alpha1_);
+
+            Foam::MULES::correct
+            (
+                geometricOneField(),
+                alpha1_,
+                tunbounded(),
+                tcorrection.ref(),
+                oneField(),
+                zeroField()
+            );
+
+            // All but the first corrector are under-relaxed
+            if (corr == 0)
+            {
+                alphaPhi_ += tcorrection();
+            }
+            else
+            {
+                alpha1_ = 0.5*alpha1_ + 0.5*alphaLast;
+                alphaPhi_ += 0.5*tcorrection();
+            }
+        }
+        else
+        {
+            alphaPhi_ = tunbounded;
+
+            if (f_.composite)
+            {
+                const volScalarField::Internal divU
+                (
+                    mesh_.moving()
+                  ? fvc::div(phi + mesh_.phi())().internalField()
+                  : fvc::div(phi)().internalField()
+                );
+                Foam::MULES::explicitSolve
+                (
+                    geometricOneField(),
+                    alpha1_,
+                    phi,
+                    alphaPhi_,
+                    zeroField(),
+                    (divU*min(alpha1_(), scalar(1)))(),
+                    oneField(),
+                    zeroField()
+                );
+            }
+            else
+            {
+                Foam::MULES::explicitSolve
+                (
+                    geometricOneField(),
+                    alpha1_,
+                    phi,
+                    alphaPhi_,
+                    oneField(),
+                    zeroField()
+                );
+            }
+        }
+
+        alpha2_ = 1 - alpha1_;
+    }
+
+    if (reuse && implicit)
+    {
+        lastCorrection_ = alphaPhi_ - lastCorrection_;
+        lastCorrection_.ref().rename("alphaPhiCorrection");
+    }
+    else
+    {
+        lastCorrection_.clear();
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::interfaceSchemes::MULES::advect()
+{
+    subCycle();
+
+    const scalar oc = offCentring();
+    const scalar cn = 1/(1 + oc);
+
+    if
+    (
+        word(mesh_.ddtScheme("ddt(rho,U)"))
+     == fv::EulerDdtScheme<vector>::typeName
+    )
+    {
+        setRhoPhi(centredPhi(cn)());
+        return;
+    }
+
+    // The momentum equation wants the flux at the end of the step
+    if (oc > 0)
+    {
+        alphaPhi_ = (alphaPhi_ - (1 - cn)*alphaPhi_.oldTime())/cn;
+    }
+    setRhoPhi(f_.phi);
+}
+
+// ************************************************************************* //

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "interfaceScheme.H"
+#include "isoAdvectorScheme.H"
+#include "fvc.H"
+#include "subCycle.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    defineTypeNameAndDebug(interfaceScheme, 0);
+    defineRunTimeSelectionTable(interfaceScheme, dictionary);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::interfaceScheme::interfaceScheme(const fields& f)
+:
+    f_(f),
+    mesh_(f.U.mesh()),
+    alpha1_(f.mixture.alpha1()),
+    alpha2_(f.mixture.alpha2()),
+    alphaPhi_
+    (
+        IOobject
+        (
+            IOobject::groupName("alphaPhi0", alpha1_.group()),
+            mesh_.time().timeName(),
+            mesh_,
+            IOobject::READ_IF_PRESENT,
+            IOobject::AUTO_WRITE
+        ),
+        f.phi*fvc::interpolate(alpha1_)
+    )
+{}
+
+
+Foam::autoPtr<Foam::interfaceScheme> Foam::interfaceScheme::New
+(
+    const word& name,
+    const dictionary& sceneDict,
+    const fields& f
+)
+{
+    const auto constructor = dictionaryConstructorTablePtr_->cfind(name);
+    if (!constructor.found())
+    {
+        FatalIOErrorInFunction(sceneDict)
+            << "Entry interface is " << name << nl
+            << "Expected: one of "
+            << dictionaryConstructorTablePtr_->sortedToc()
+            << exit(FatalIOError);
+    }
+    return constructor()(f);
+}
+
+
+// * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * //
+
+void Foam::interfaceScheme::subCycle()
+{
+    const label nSubCycles = controls().get<label>("nAlphaSubCycles");
+
+    if (nSubCycles == 1)
+    {
+        advance();
+        return;
+    }
+
+    const dimensionedScalar deltaT(mesh_.time().deltaT());
+    surfaceScalarField meanAlphaPhi("meanAlphaPhi", 0*alphaPhi_);
+
+    for
+    (
+        Foam::subCycle<volScalarField> cycle(alpha1_, nSubCycles);
+        !(++cycle).end();
+    )
+    {
+        advance();
+        meanAlphaPhi += (mesh_.time().deltaT()/deltaT)*alphaPhi_;
+    }
+
+    alphaPhi_ = meanAlphaPhi;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::interfaceScheme::needsNormals(const word& name)
+{
+    return name != interfaceSchemes::isoAdvector::typeName;
+}
+
+// ************************************************************************* //

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "scene.H"
+#include "bodyMotion.H"
+#include "dynamicOversetFvMesh.H"
+#include "staticFvMesh.H"
+#include "Switch.H"
+#include "turbulenceModel.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+const Foam::Enum<Foam::scene::bodyType> Foam::scene::bodyTypeNames
+({
+    { bodyType::none, "none" },
+    { bodyType::sixDoF, "sixDoF" },
+});
+
+const Foam::Enum<Foam::scene::motionType> Foam::scene::motionTypeNames
+({
+    { motionType::none, "none" },
+    { motionType::motion, "motion" },
+    { motionType::overset, "overset" },
+});
+
+const Foam::Enum<Foam::scene::initialFlowType>
+Foam::scene::initialFlowTypeNames
+({
+    { initialFlowType::fields, "fields" },
+    { initialFlowType::potential, "potential" },
+});
+
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+scene::motionType motionOf(const fvMesh& mesh)
+{
+    if (isA<dynamicOversetFvMesh>(mesh))
+    {
+        return scene::motionType::overset;
+    }
+    return
+        isA<staticFvMesh>(mesh) || !isA<dynamicFvMesh>(mesh)
+      ? scene::motionType::none
+      : scene::motionType::motion;
+}
+
+
+bool turbulent(const fvMesh& mesh)
+{
+    const word name(turbulenceModel::propertiesName);
+    const IOdictionary dict
+    (
+        IOobject
+        (
+            name,
+            mesh.time().constant(),
+            mesh,
+            IOobject::MUST_READ,
+            IOobject::NO_WRITE,
+            false
+        )
+    );
+    return dict.get<word>("simulationType") != "laminar";
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::scene::checkKeywords() const
+{
+    const wordHashSet known
+    ({
+        "FoamFile", "body", "meshMotion", "compressibility", "gravity",
+        "surfaceTension", "turbulence", "interface", "initialFlow",
+        "ambientPressure", "reference"
+    });
+
+    for (const entry& e : dict_)
+    {
+        if (!known.found(e.keyword()))
+        {
+            FatalIOErrorInFunction(dict_)
+                << "Unknown entry " << e.keyword() << nl
+                << "Expected: any of " << known.sortedToc()
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
+template<class Type>
+void Foam::scene::checkAgrees
+(
+    const word& entry,
+    const Type& asked,
+    const Type& present,
+    const char* where
+) const
+{
+    if (asked != present)
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Entry " << entry << " is " << asked << ", but " << where
+            << " makes it " << present << nl
+            << "Expected: the two to agree." << exit(FatalIOError);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::scene::scene(const fvMesh& mesh)
+:
+    dict_
+    (
+        IOobject
+        (
+            "sceneProperties",
+            mesh.time().constant(),
+            mesh,
+            IOobject::READ_IF_PRESENT,
+            IOobject::NO_WRITE
+        )
+    ),
+    body_(bodyMotion::found(mesh) ? bodyType::sixDoF : bodyType::none),
+    meshMotion_(motionOf(mesh)),
+    gravity_(dict_.lookupOrDefault<Switch>("gravity", true)),
+    surfaceTension_(dict_.lookupOrDefault<Switch>("surfaceTension", true)),
+    turbulence_(turbulent(mesh)),
+    interface_(dict_.lookupOrDefault<word>("interface", "MULES")),
+    initialFlow_
+    (
+        initialFlowTypeNames.lookupOrDefault
+        (
+            "initialFlow",
+            dict_,
+            initialFlowType::fields
+        )
+    )
+{
+    checkKeywords();
+
+    checkAgrees
+    (
+        "body",
+        bodyTypeNames[bodyTypeNames.lookupOrDefault("body", dict_, body_)],
+        bodyTypeNames[body_],
+        "the motion solver of constant/dynamicMeshDict"
+    );
+    checkAgrees
+    (
+        "meshMotion",
+        motionTypeNames
+        [
+            motionTypeNames.lookupOrDefault("meshMotion", dict_, meshMotion_)
+        ],
+        motionTypeNames[meshMotion_],
+        "dynamicFvMesh in constant/dynamicMeshDict"
+    );
+    checkAgrees
+    (
+        "turbulence",
+        bool(dict_.lookupOrDefault<Switch>("turbulence", turbulence_)),
+        turbulence_,
+        "simulationType in constant/turbulenceProperties"
+    );
+
+    const word compressibility
+    (
+        dict_.lookupOrDefault<word>("compressibility", "none")
+    );
+    if (compressibility != "none")
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Entry compressibility is " << compressibility << nl
+            << "Expected: none, the only choice so far."
+            << exit(FatalIOError);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::scene::print(Ostream& os) const
+{
+    auto onOff = [](const bool b) { return b ? "on" : "off"; };
+
+    os  << "body " << bodyTypeNames[body_]
+        << ", mesh motion " << motionTypeNames[meshMotion_]
+        << ", interface " << interface_
+        << ", gravity " << onOff(gravity_)
+        << ", surface tension " << onOff(surfaceTension_)
+        << ", turbulence " << onOff(turbulence_)
+        << ", initial flow " << initialFlowTypeNames[initialFlow_]
+        << ", both fluids incompressible";
+}
+
+// ************************************************************************* //

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "bodyMotion.H"
+#include "sixDoFRigidBodyMotionSolver.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+const sixDoFRigidBodyMotionSolver* findSolver(const fvMesh& mesh)
+{
+    const auto solvers(mesh.lookupClass<sixDoFRigidBodyMotionSolver>());
+    if (solvers.size() > 1)
+    {
+        FatalErrorInFunction
+            << solvers.size() << " bodies in constant/dynamicMeshDict: "
+            << solvers.sortedToc() << nl
+            << "Expected: one sixDoFRigidBodyMotion." << exit(FatalError);
+    }
+    return solvers.size() ? *solvers.begin() : nullptr;
+}
+
+
+const sixDoFRigidBodyMotionSolver& theSolver(const fvMesh& mesh)
+{
+    const sixDoFRigidBodyMotionSolver* solver = findSolver(mesh);
+    if (!solver)
+    {
+        FatalErrorInFunction
+            << "No body moves this mesh." << nl
+            << "Expected: motionSolver (or solver) sixDoFRigidBodyMotion in"
+            << " constant/dynamicMeshDict." << exit(FatalError);
+    }
+    return *solver;
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::bodyMotion::loads Foam::bodyMotion::patchForces::calculate()
+{
+    calcForcesMoment();
+
+    loads l;
+    l.pressure = sum(force_[0]);
+    l.viscous = sum(force_[1]);
+    l.moment = momentEff();
+    return l;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::bodyMotion::bodyMotion(const fvMesh& mesh)
+:
+    mesh_(mesh),
+    motion_(theSolver(mesh).motion()),
+    dict_(theSolver(mesh).coeffDict()),
+    patches_(mesh.boundaryMesh().patchSet(dict_.get<wordRes>("patches")))
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::bodyMotion::found(const fvMesh& mesh)
+{
+    return findSolver(mesh);
+}
+
+
+void Foam::bodyMotion::check(const boundBox& domain) const
+{
+    if (patches_.empty())
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Entry patches " << dict_.get<wordRes>("patches")
+            << " names no patch of the mesh." << nl
+            << "Expected: one or more of " << mesh_.boundaryMesh().names()
+            << exit(FatalIOError);
+    }
+
+    if (!(motion_.mass() > 0))
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Entry mass is " << motion_.mass() << nl
+            << "Expected: a positive mass [kg]." << exit(FatalIOError);
+    }
+
+    const diagTensor& I = motion_.momentOfInertia();
+    if (!(min(min(I.xx(), I.yy()), I.zz()) > 0))
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Entry momentOfInertia is " << I << nl
+            << "Expected: three positive moments of inertia [kg m^2]."
+            << exit(FatalIOError);
+    }
+
+    const boundBox body(bounds());
+    if (!domain.contains(body))
+    {
+        FatalIOErrorInFunction(dict_)
+            << "The body reaches outside the domain: its patches span "
+            << body << nl
+            << "Expected: a body inside " << domain << exit(FatalIOError);
+    }
+    if (!domain.contains(motion_.centreOfMass()))
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Entry centreOfMass: " << motion_.centreOfMass() << nl
+            << "Expected: a point inside the domain " << domain
+            << exit(FatalIOError);
+    }
+
+    const scalar damping =
+        dict_.lookupOrDefault<scalar>("accelerationDamping", 1);
+    if (damping != 1)
+    {
+        WarningInFunction
+            << "accelerationDamping " << damping << " in " << dict_.name()
+            << " multiplies the body's acceleration: its trajectory is wrong"
+            << " by that factor. Use 1." << endl;
+    }
+}
+
+
+Foam::bodyMotion::loads Foam::bodyMotion::fluidLoads() const
+{
+    dictionary d;
+    d.add("type", functionObjects::forces::typeName);
+    d.add("patches", dict_.get<wordRes>("patches"));
+    d.add("rho", dict_.lookupOrDefault<word>("rho", "rho"));
+    d.add("rhoInf", dict_.lookupOrDefault<scalar>("rhoInf", 1));
+    d.add("CofR", motion_.centreOfMass());
+
+    return patchForces("forces", mesh_, d).calculate();
+}
+
+
+Foam::boundBox Foam::bodyMotion::bounds() const
+{
+    boundBox box;
+    for (const label patchi : patches_)
+    {
+        box.add(mesh_.boundaryMesh()[patchi].localPoints());
+    }
+    box.reduce();
+    return box;
+}
+
+
+Foam::scalar Foam::bodyMotion::reach(const vector& direction) const
+{
+    scalar furthest = -GREAT;
+    for (const label patchi : patches_)
+    {
+        for (const point& p : mesh_.boundaryMesh()[patchi].localPoints())
+        {
+            furthest = max(furthest, p & direction);
+        }
+    }
+    return returnReduce(furthest, maxOp<scalar>());
+}
+
+// ************************************************************************* //
