@@ -243,7 +243,12 @@ def test_administratorsLine(repository: Path, tmp_path: Path) -> None:
         (tools / name).chmod(0o755)
 
     path = f"{tools}:/usr/bin:/bin"
-    for variables, packages in (({}, "openfoam libopenfoam python3-numpy"), (sourcedTree(tmp_path / "foam"), "python3-numpy")):
+    sourced = sourcedTree(tmp_path / "foam")
+    # The tree that etc/prepare made stands for Debian's OpenFOAM, also once etc/bashrc has been sourced.
+    prepared = sourcedTree(tmp_path / "cache")
+    (tmp_path / "cache/.plungeFoam").touch()
+    withFoam = "openfoam libopenfoam python3-numpy"
+    for variables, packages in (({}, withFoam), (sourced, "python3-numpy"), (prepared, withFoam)):
         done = subprocess.run([repository / "etc/prepare"], env=bareEnvironment(PATH=path, **variables),
                               stdin=subprocess.DEVNULL, capture_output=True, text=True)
         assert done.returncode == 1
