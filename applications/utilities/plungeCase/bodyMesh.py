@@ -27,25 +27,39 @@ class MeshSize:
     layers: int           # from the wall to the outer surface
     nose_spacing: float   # along the meridian, at the nose
     body_spacing: float   # the longest along the meridian
-    tail_spacing: float   # at the tail
+    tail_spacing: float   # at the edge of the tail's cap
     growth: float         # of the spacing per unit of arc length
     offset: tuple[float, float, float]     # from the wall to the outer surface at nose, thickest section, tail
     stretching: tuple[float, float, float]  # ln(outermost layer/first layer), same places
-    fan: float            # arc length over which the lines turn aft before the tail
+
+
+# In the tail's cap the arc length from the tip goes with this power of the number of cells. On a slender cone the
+# butterfly's cells are sheared; longer cells towards the tip halve that, and cost no time step.
+_TIP_POWER = 0.6
+
+
+def _cap(size: MeshSize) -> int:
+    """Cells along the body in each of the two caps."""
+    return size.cap_cells + size.ring_cells
+
+
+def _tail_cap_length(size: MeshSize) -> float:
+    """Arc length of the tail's cap [m], such that the spacing is continuous at its edge."""
+    return _cap(size) * size.tail_spacing / _TIP_POWER
 
 
 def _spacing(body: Body, size: MeshSize, s: np.ndarray) -> np.ndarray:
-    """Wanted spacing at arc length s: constant over nose and tail, growing between, never above body_spacing."""
-    end = s[-1]
+    """Wanted spacing at arc length s: constant over the nose, least at the tail's cap, growing between."""
     nose = size.nose_spacing + size.growth * np.maximum(0, s - 2 * body.nose_radius)
-    tail = size.tail_spacing + size.growth * np.maximum(0, end - s - 2 * body.nose_radius)
+    tail = size.tail_spacing + size.growth * (s[-1] - s)
     return (nose**-4 + tail**-4 + size.body_spacing**-4) ** -0.25
 
 
 def axial_cell_count(body: Body, size: MeshSize) -> float:
     """Cells from nose to tail that the wanted spacings ask for."""
-    s = np.linspace(0, body.arc_length(np.array([1.0]))[0], 20001)
-    return float(np.trapz(1 / _spacing(body, size, s), s))
+    end = body.arc_length(np.array([1.0]))[0] - _tail_cap_length(size)
+    s = np.linspace(0, end, 20001)
+    return float(np.trapz(1 / _spacing(body, size, s), s)) + _cap(size)
 
 
 class Meridian:
@@ -55,20 +69,23 @@ class Meridian:
         self.size = size
         c = np.linspace(0, 1, 20001)
         s = body.arc_length(c)
-        density = 1 / _spacing(body, size, s)
-        u = np.concatenate(([0], np.cumsum((density[1:] + density[:-1]) / 2 * np.diff(s))))
-        u *= size.axial_cells / u[-1]
+        cap = _cap(size)
+        before = s <= s[-1] - _tail_cap_length(size)
+        density = 1 / _spacing(body, size, s[before])
+        u = np.concatenate(([0], np.cumsum((density[1:] + density[:-1]) / 2 * np.diff(s[before]))))
+        u *= (size.axial_cells - cap) / u[-1]
+        to_tip = s[-1] - s[~before]
+        u = np.concatenate((u, size.axial_cells - cap * (to_tip / _tail_cap_length(size)) ** (1 / _TIP_POWER)))
         self._body = body
         self._c = PchipInterpolator(u, c)
 
         angle = body.normal_angle(c)
-        # The tail is the tip of a cone: before it the lines turn from the cone's normal
-        # to the axis; late at the wall, where they should be normal, early further out,
-        # so that the outer surface is smooth.
-        start = np.interp(s[-1] - size.fan, s, u)
-        q = np.clip((u - start) / (u[-1] - start), 0, 1)
-        self._wall_angle = PchipInterpolator(u, angle * (1 - q**6))
-        self._outer_angle = PchipInterpolator(u, angle * (1 - q**2.2))
+        # The tail is the tip of a cone: there the lines turn from the cone's normal to the axis, at the wall
+        # just before the tip, at the outer surface from well before the cap, to keep it round. The powers
+        # were chosen for the least non-orthogonality.
+        to_tip = size.axial_cells - u
+        self._wall_angle = PchipInterpolator(u, angle * (1 - np.clip(1 - to_tip / cap, 0, 1) ** 6))
+        self._outer_angle = PchipInterpolator(u, angle * (1 - np.clip(1 - to_tip / (1.7 * cap), 0, 1) ** 1.8))
 
         middle = np.interp(np.sqrt(0.3), c, u)
         knots = [0, middle, u[-1]]
@@ -127,7 +144,7 @@ def _rim(n: int) -> np.ndarray:
 def butterfly_surface(size: MeshSize) -> SurfaceGrid:
     """The half surface, 0 <= phi <= pi: butterfly caps at nose and tail, (u, phi) cells between."""
     n, m, total = size.cap_cells, size.ring_cells, size.axial_cells
-    cap = n + m
+    cap = _cap(size)
     nodes: list[np.ndarray] = []   # (u, cos, sin) blocks
     quads: list[np.ndarray] = []
     count = 0

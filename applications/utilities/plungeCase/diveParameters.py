@@ -77,7 +77,6 @@ _TIER: dict[str, Check] = {
     "growth": _POSITIVE,
     "offset": _triple("three numbers above 0: (nose middle tail)", lambda v: v > 0),
     "stretching": _triple("three numbers above 0: (nose middle tail)", lambda v: v > 0),
-    "tailFan": _number("a number above 0, below 0.5", lambda v: 0 < v < 0.5),
     "backgroundSpacing": _POSITIVE,
     "refinementLevels": _count(1),
     "maxCo": _POSITIVE,
@@ -153,22 +152,26 @@ def read(case: Path, overrides: dict[str, Any]) -> Dive:
 
 
 def mesh_size(body: Body, tier: dict[str, Any], resolution: float) -> MeshSize:
-    """The body mesh's size [m]; counts grow with the resolution, the shape stays."""
-    length = body.length
-    base = MeshSize(
-        cap_cells=tier["capCells"], ring_cells=tier["ringCells"], axial_cells=0, layers=tier["layers"],
-        nose_spacing=tier["noseSpacing"] * length, body_spacing=tier["bodySpacing"] * length,
-        tail_spacing=tier["tailSpacing"] * length, growth=tier["growth"],
-        offset=tuple(length * d for d in tier["offset"]), stretching=tuple(tier["stretching"]),
-        fan=tier["tailFan"] * length,
-    )
-    return replace(
-        base,
+    """The body mesh's size [m]; counts grow with the resolution, spacings shrink, the shape stays."""
+    unit = body.length / resolution
+    size = MeshSize(
         cap_cells=round(tier["capCells"] * resolution),
         ring_cells=max(1, round(tier["ringCells"] * resolution)),
-        axial_cells=round(round(axial_cell_count(body, base)) * resolution),
+        axial_cells=0,
         layers=round(tier["layers"] * resolution),
+        nose_spacing=tier["noseSpacing"] * unit, body_spacing=tier["bodySpacing"] * unit,
+        tail_spacing=tier["tailSpacing"] * unit, growth=tier["growth"] / resolution,
+        offset=tuple(body.length * d for d in tier["offset"]), stretching=tuple(tier["stretching"]),
     )
+    return replace(size, axial_cells=round(axial_cell_count(body, size)))
+
+
+def cores_split(cores: int) -> list[int]:
+    """Ranks in x, y and z: cut across the path, z, first, since the cuts there are the smallest."""
+    area = (0.5, 1.2, 0.15)  # of a cut across x, y, z in the region of fine cells, relative
+    splits = [[i, j, cores // i // j] for i in range(1, cores + 1) if cores % i == 0
+              for j in range(1, cores // i + 1) if cores // i % j == 0]
+    return min(splits, key=lambda split: sum(n * a for n, a in zip(split, area)))
 
 
 def derive(dive: Dive) -> list[tuple[str, dict[str, Any]]]:
@@ -201,6 +204,8 @@ def derive(dive: Dive) -> list[tuple[str, dict[str, Any]]]:
     def refined(count: int) -> int:
         return max(1, round(count * resolution))
 
+    counts = [refined(x_high - x_low), refined(y_high) * (2 if full else 1), refined(-z_low) + refined(z_high)]
+
     # Shells about the path, finest innermost; each coarser one is four of its cells wide.
     radius = body.thickness_ratio * length / 2 + max(size.offset) + 0.05 * length
     shells = []
@@ -208,12 +213,20 @@ def derive(dive: Dive) -> list[tuple[str, dict[str, Any]]]:
         shells.append([radius, level])
         radius += 4 * cell / 2 ** (level - 1)
 
+    # The search for donor cells covers where the body mesh can get to.
+    finest = cell / 2 ** tier["refinementLevels"] / resolution
+    margin = 0.35 * length
+    box = np.array([np.minimum(path_start, path_end) - margin, np.maximum(path_start, path_end) + margin])
+    box[0, 1] = -margin if full else 0.0
+    def voxels(cells_each: float) -> list[int]:
+        return [ceil(span / (cells_each * finest)) for span in box[1] - box[0]]
+
     end_time = p["dive.travel"] * length / p["dive.speed"]
     vector = lambda v: [float(x) + 0.0 for x in v]
     return [
         ("The dive", {
             "fluids": p["fluids"], "model": p["model"], "tier": p["tier"], "resolution": resolution,
-            "cores": p["cores"], "bodyLength": length, "thicknessRatio": body.thickness_ratio,
+            "bodyLength": length, "thicknessRatio": body.thickness_ratio,
             "speed": float(p["dive.speed"]), "pathAngle": float(p["dive.angle"]), "gap": float(p["dive.gap"]),
         }),
         ("Fluids", {
@@ -238,21 +251,23 @@ def derive(dive: Dive) -> list[tuple[str, dict[str, Any]]]:
             "capCells": size.cap_cells, "ringCells": size.ring_cells, "axialCells": size.axial_cells,
             "layers": size.layers, "noseSpacing": size.nose_spacing, "bodySpacing": size.body_spacing,
             "tailSpacing": size.tail_spacing, "spacingGrowth": size.growth, "offset": list(size.offset),
-            "stretching": list(size.stretching), "tailFan": size.fan,
+            "stretching": list(size.stretching),
         }),
         ("Background mesh", {
             "xMin": x_low * cell, "xMax": x_high * cell, "yMin": -y_high * cell if full else 0.0,
             "yMax": y_high * cell, "zMin": z_low * cell, "zMax": z_high * cell,
-            "xCells": refined(x_high - x_low), "yCells": refined(y_high) * (2 if full else 1),
+            "xCells": counts[0], "yCells": counts[1],
             "zCellsLiquid": refined(-z_low), "zCellsGas": refined(z_high),
             "pathStart": vector(path_start), "pathEnd": vector(path_end),
-            "finestSpacing": cell / 2 ** tier["refinementLevels"] / resolution,
+            "finestSpacing": finest,
             "refinementShells": shells,
-            "maxRefinementLevel": tier["refinementLevels"],
+            "searchBoxMin": vector(box[0]), "searchBoxMax": vector(box[1]),
+            "backgroundVoxels": voxels(2), "bodyVoxels": voxels(0.5),
         }),
         ("Run", {
+            "cores": p["cores"], "coresSplit": cores_split(p["cores"]),
             "diveDuration": end_time, "frameInterval": end_time / p["output.frames"],
-            "initialDeltaT": 0.05 * size.nose_spacing / resolution / p["dive.speed"],
+            "initialDeltaT": 0.05 * size.nose_spacing / p["dive.speed"],
             "deltaTLimit": tier["maxDeltaT"] / resolution, "courantLimit": tier["maxCo"],
         }),
     ]
