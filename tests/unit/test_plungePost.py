@@ -288,6 +288,35 @@ def test_a_single_mesh_needs_no_overset_fields():
         free_surface(mesh, "alpha.liquid", [mesh], False, ["p"])
 
 
+def test_hanging_nodes_do_not_move_the_surface():
+    """One large cell of gas on eight small ones of liquid: the surface is the plane between them."""
+    from plungeSurfaces import free_surface
+    from vtkmodules.numpy_interface import dataset_adapter as dsa
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    from vtkmodules.vtkCommonCore import vtkIdList
+    from vtkmodules.vtkCommonDataModel import VTK_POLYHEDRON
+
+    mesh = block((0, 0, -2), (2, 2, 0), (2, 2, 2))
+    places = [tuple(p) for p in vtk_to_numpy(mesh.GetPoints().GetData())]
+    top = [mesh.GetPoints().InsertNextPoint(*p) for p in ((0, 0, 2), (2, 0, 2), (2, 2, 2), (0, 2, 2))]
+    n = {p: places.index((*p, 0)) for p in ((x, y) for x in range(3) for y in range(3))}
+    around = [n[p] for p in ((0, 0), (1, 0), (2, 0), (2, 1), (2, 2), (1, 2), (0, 2), (0, 1))]
+    faces = [top] + [[n[x, y], n[x + 1, y], n[x + 1, y + 1], n[x, y + 1]] for x in (0, 1) for y in (0, 1)]
+    for side in range(4):
+        low = [around[(2 * side + i) % 8] for i in range(3)]
+        faces.append([*low, top[(side + 1) % 4], top[side]])
+    stream = vtkIdList()
+    for value in [len(faces)] + [v for face in faces for v in (len(face), *face)]:
+        stream.InsertNextId(value)
+    mesh.InsertNextCell(VTK_POLYHEDRON, stream)
+    cells = dsa.WrapDataObject(mesh).CellData
+    cells.append(np.array([1.0] * 8 + [0.0]), "alpha.liquid")
+
+    surface = free_surface(mesh, "alpha.liquid", [], False, [])
+    assert np.abs(vtk_to_numpy(surface.GetPoints().GetData())[:, 2]).max() < 1e-6
+    assert area(surface) == pytest.approx(4)
+
+
 # --- VTK series and pictures -------------------------------------------------------
 
 

@@ -188,9 +188,10 @@ def entry(case: Path, dictionary: str, keyword: str) -> str:
     except FileNotFoundError:
         raise CaseError("foamDictionary: not found; source the OpenFOAM environment (etc/bashrc)") from None
     if run.returncode:
-        raise CaseError(
-            f"{case / dictionary}: cannot read entry '{keyword}': {(run.stderr or run.stdout).strip()}"
-        )
+        why = " ".join((run.stderr or run.stdout).split())
+        if "mandatory etc entry" in why:
+            why = "the OpenFOAM environment is not sourced (etc/bashrc)"
+        raise CaseError(f"{case / dictionary}: cannot read entry '{keyword}': {why}")
     return run.stdout.strip()
 
 

@@ -16,7 +16,11 @@ from pathlib import Path
 import numpy as np
 from vtkmodules.numpy_interface import dataset_adapter as dsa
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkIdList, vtkPoints
 from vtkmodules.vtkCommonDataModel import (
+    VTK_POLYHEDRON,
+    VTK_TETRA,
+    vtkCellArray,
     vtkDataObject,
     vtkPolyData,
     vtkStaticPointLocator,
@@ -71,15 +75,78 @@ def select_cells(mesh: vtkUnstructuredGrid, mask: np.ndarray) -> vtkUnstructured
     return selected
 
 
-def to_points(cells: vtkUnstructuredGrid) -> vtkUnstructuredGrid:
-    """The cells with their values averaged to the points."""
+def face_rings(cells: vtkUnstructuredGrid, cell: int) -> list[list[int]]:
+    """Point numbers around each face of a polyhedron."""
+    ids = vtkIdList()
+    cells.GetFaceStream(int(cell), ids)
+    stream = [ids.GetId(i) for i in range(ids.GetNumberOfIds())]
+    rings, at = [], 1
+    for _ in range(stream[0]):
+        rings.append(stream[at + 1 : at + 1 + stream[at]])
+        at += 1 + stream[at]
+    return rings
+
+
+def octants(ring_normals: list[np.ndarray]) -> int:
+    """How many octants a cell takes up at a point, from the normals of its faces there.
+
+    One at a corner, two at a node that hangs on an edge, four at one that hangs on a face.
+    """
+    directions: list[np.ndarray] = []
+    for normal in ring_normals:
+        if all(abs(normal @ other) < 0.95 for other in directions):
+            directions.append(normal)
+    return {1: 4, 2: 2}.get(len(directions), 1)
+
+
+def to_points(cells: vtkUnstructuredGrid, field: str) -> vtkUnstructuredGrid:
+    """The cells with their values averaged to the points.
+
+    Where cells of two sizes meet, a cell with a hanging node counts there for as
+    many octants as it takes up: else the surface is drawn towards the larger cells.
+    """
     merge = vtkAppendFilter()  # closes the seams between the processors' parts
     merge.MergePointsOn()
     merge.AddInputData(cells)
-    points = vtkCellDataToPointData()
-    points.SetInputConnection(merge.GetOutputPort())
-    points.Update()
-    return points.GetOutput()
+    average = vtkCellDataToPointData()
+    average.SetInputConnection(merge.GetOutputPort())
+    average.PassCellDataOn()
+    average.Update()
+    points = average.GetOutput()
+
+    offsets = vtk_to_numpy(points.GetCells().GetOffsetsArray())
+    corners = vtk_to_numpy(points.GetCells().GetConnectivityArray())
+    places = vtk_to_numpy(points.GetPoints().GetData())
+    values = vtk_to_numpy(points.GetPointData().GetArray(field))
+    at_point, of_cell, extra = [], [], []
+    for cell in np.flatnonzero(vtk_to_numpy(points.GetCellTypesArray()) == VTK_POLYHEDRON):
+        own = corners[offsets[cell] : offsets[cell + 1]]
+        if np.ptp(values[own]) == 0:
+            continue  # far from the surface
+        normals: dict[int, list[np.ndarray]] = {}
+        for ring in face_rings(points, cell):
+            x = places[ring].astype(float)
+            normal = np.cross(x[1:-1] - x[0], x[2:] - x[0]).sum(axis=0)
+            normal /= max(np.linalg.norm(normal), 1e-300)
+            for i in ring:
+                normals.setdefault(i, []).append(normal)
+        for i, found in normals.items():
+            at_point.append(i)
+            of_cell.append(cell)
+            extra.append(octants(found) - 1)
+    if at_point:
+        count = np.bincount(corners, minlength=len(places)).astype(float)
+        added = np.bincount(at_point, extra, minlength=len(places))
+        for i in range(points.GetPointData().GetNumberOfArrays()):
+            array = points.GetPointData().GetArray(i)
+            old = vtk_to_numpy(array).reshape(len(places), -1)
+            cell_values = vtk_to_numpy(points.GetCellData().GetArray(array.GetName())).reshape(len(offsets) - 1, -1)
+            total = old * count[:, None]
+            np.add.at(total, at_point, np.array(extra)[:, None] * cell_values[of_cell])
+            use = added > 0
+            old[use] = (total / (count + added)[:, None])[use]
+    points.GetCellData().Initialize()
+    return points
 
 
 def match(inner: vtkUnstructuredGrid, boundary: vtkPolyData, outer: vtkUnstructuredGrid) -> None:
@@ -108,15 +175,59 @@ def match(inner: vtkUnstructuredGrid, boundary: vtkPolyData, outer: vtkUnstructu
         vtk_to_numpy(array)[ids[use]] = vtk_to_numpy(there.GetArray(array.GetName()))[use]
 
 
+def straddling_polyhedra(points: vtkUnstructuredGrid, field: str, level: float) -> vtkUnstructuredGrid:
+    """The polyhedra that the level passes through, as tetrahedra about their centres.
+
+    Hexahedra with hanging nodes are polyhedra to VTK, whose own contouring of
+    them gives up on some.
+    """
+    values = vtk_to_numpy(points.GetPointData().GetArray(field))
+    offsets = vtk_to_numpy(points.GetCells().GetOffsetsArray())
+    corners = vtk_to_numpy(points.GetCells().GetConnectivityArray())
+    new_points, tetrahedra = vtkPoints(), vtkCellArray()
+    source: list[list[int]] = []  # points that a new point is the mean of
+    numbers: dict[int, int] = {}
+
+    def add(of: list[int]) -> int:
+        source.append(of)
+        return new_points.InsertNextPoint(np.mean([points.GetPoint(i) for i in of], axis=0))
+
+    for cell in np.flatnonzero(vtk_to_numpy(points.GetCellTypesArray()) == VTK_POLYHEDRON):
+        own = corners[offsets[cell] : offsets[cell + 1]]
+        if values[own].min() >= level or values[own].max() < level:
+            continue
+        centre = add(own.tolist())
+        for face in face_rings(points, cell):
+            ring = [numbers[i] if i in numbers else numbers.setdefault(i, add([i])) for i in face]
+            for second, third in zip(ring[1:], ring[2:]):
+                tetrahedra.InsertNextCell(4, (ring[0], second, third, centre))
+
+    parts = vtkUnstructuredGrid()
+    parts.SetPoints(new_points)
+    parts.SetCells(VTK_TETRA, tetrahedra)
+    for i in range(points.GetPointData().GetNumberOfArrays()):
+        array = points.GetPointData().GetArray(i)
+        old = vtk_to_numpy(array)
+        new = np.array([old[of].mean(axis=0) for of in source], old.dtype).reshape(len(source), *old.shape[1:])
+        dsa.WrapDataObject(parts).PointData.append(new, array.GetName())
+    return parts
+
+
 def isosurface(points: vtkUnstructuredGrid, field: str, level: float = 0.5) -> vtkPolyData:
     """Surface field = level of the point values."""
-    contour = vtkContourFilter()
-    contour.SetInputData(points)
-    contour.SetInputArrayToProcess(0, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, field)
-    contour.SetValue(0, level)
-    contour.ComputeNormalsOff()
-    contour.Update()
-    return contour.GetOutput()
+    regular = select_cells(points, vtk_to_numpy(points.GetCellTypesArray()) != VTK_POLYHEDRON)
+    surfaces = []
+    for cells in (regular, straddling_polyhedra(points, field, level)):
+        if not cells.GetNumberOfCells():
+            continue
+        contour = vtkContourFilter()
+        contour.SetInputData(cells)
+        contour.SetInputArrayToProcess(0, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, field)
+        contour.SetValue(0, level)
+        contour.ComputeNormalsOff()
+        contour.Update()
+        surfaces.append(contour.GetOutput())
+    return append(surfaces)
 
 
 def append(parts: list[vtkPolyData]) -> vtkPolyData:
@@ -189,7 +300,7 @@ def free_surface(
         cell_array(name)
     whole = mirrored if half else (lambda surface: surface)
     if not overset:
-        surface = isosurface(to_points(mesh), alpha)
+        surface = isosurface(to_points(mesh, alpha), alpha)
         keep_arrays(surface, fields)
         return whole(surface)
 
@@ -197,7 +308,7 @@ def free_surface(
     solved = np.rint(cell_array("cellTypes")).astype(int) != HOLE
     zones = {}
     for number in np.unique(zone):
-        zones[number] = to_points(select_cells(mesh, (zone == number) & solved))
+        zones[number] = to_points(select_cells(mesh, (zone == number) & solved), alpha)
         keep_arrays(zones[number], [alpha, *fields])
     if BACKGROUND not in zones:
         raise CaseError(f"field zoneID has no cell of zone {BACKGROUND}, the background")
@@ -248,8 +359,9 @@ class Case:
         for patch in ["internalMesh"] + [f"patch/{name}" for name in [body, *self.overset]]:
             reader.SetPatchArrayStatus(patch, 1)
         reader.CreateCellToPointOff()
-        reader.DecomposePolyhedraOn()  # VTK cannot contour every polyhedron
+        reader.DecomposePolyhedraOff()  # their parts would count one by one in averages to points
         reader.DisableAllCellArrays()
+        reader.DisableAllPointArrays()
         for field in (alpha, "p", "U", "zoneID", "cellTypes"):
             reader.SetCellArrayStatus(field, 1)
         self.reader = reader
