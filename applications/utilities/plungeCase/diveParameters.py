@@ -80,6 +80,7 @@ _TIER: dict[str, Check] = {
     "backgroundSpacing": _POSITIVE,
     "refinementLevels": _count(1),
     "maxCo": _POSITIVE,
+    "maxAlphaCo": _POSITIVE,
     "maxDeltaT": _POSITIVE,
 }
 
@@ -269,5 +270,6 @@ def derive(dive: Dive) -> list[tuple[str, dict[str, Any]]]:
             "diveDuration": end_time, "frameInterval": end_time / p["output.frames"],
             "initialDeltaT": 0.05 * size.nose_spacing / p["dive.speed"],
             "deltaTLimit": tier["maxDeltaT"] / resolution, "courantLimit": tier["maxCo"],
+            "interfaceCourantLimit": tier["maxAlphaCo"],
         }),
     ]
