@@ -65,6 +65,7 @@ _FLUIDS: dict[str, Check] = {
     "gasDensity": _POSITIVE,
     "gasViscosity": _POSITIVE,
     "surfaceTension": _number("a number, 0 or above", lambda v: v >= 0),
+    "surfacePressure": _POSITIVE,
     "gravity": _number("a number, 0 or above", lambda v: v >= 0),
 }
 _TIER: dict[str, Check] = {
