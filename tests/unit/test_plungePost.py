@@ -315,6 +315,9 @@ def test_hanging_nodes_do_not_move_the_surface():
     surface = free_surface(mesh, "alpha.liquid", [], False, [])
     assert np.abs(vtk_to_numpy(surface.GetPoints().GetData())[:, 2]).max() < 1e-6
     assert area(surface) == pytest.approx(4)
+    corners = vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    a, b, c = (vtk_to_numpy(surface.GetPoints().GetData())[corners[:, i]] for i in range(3))
+    assert np.cross(b - a, c - a)[:, 2].min() > 0  # all of it faces the gas
 
 
 # --- VTK series and pictures -------------------------------------------------------

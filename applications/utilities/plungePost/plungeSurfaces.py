@@ -200,6 +200,9 @@ def straddling_polyhedra(points: vtkUnstructuredGrid, field: str, level: float) 
         for face in face_rings(points, cell):
             ring = [numbers[i] if i in numbers else numbers.setdefault(i, add([i])) for i in face]
             for second, third in zip(ring[1:], ring[2:]):
+                x = [np.array(new_points.GetPoint(i)) for i in (ring[0], second, third, centre)]
+                if np.cross(x[1] - x[0], x[2] - x[0]) @ (x[3] - x[0]) < 0:  # winds the surface
+                    second, third = third, second
                 tetrahedra.InsertNextCell(4, (ring[0], second, third, centre))
 
     parts = vtkUnstructuredGrid()
@@ -231,13 +234,16 @@ def isosurface(points: vtkUnstructuredGrid, field: str, level: float = 0.5) -> v
 
 
 def append(parts: list[vtkPolyData]) -> vtkPolyData:
-    """One surface from several; coincident points are merged."""
+    """One surface from several; points that coincide are merged."""
     together = vtkAppendPolyData()
     for part in parts:
         together.AddInputData(part)
     clean = vtkCleanPolyData()
     clean.SetInputConnection(together.GetOutputPort())
     clean.PointMergingOn()
+    clean.SetTolerance(1e-6)  # of the surface's extent
+    clean.ConvertPolysToLinesOff()  # what collapses is dropped
+    clean.ConvertLinesToPointsOff()
     clean.Update()
     return clean.GetOutput()
 
