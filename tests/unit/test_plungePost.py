@@ -302,6 +302,7 @@ def test_hanging_nodes_do_not_move_the_surface():
     n = {p: places.index((*p, 0)) for p in ((x, y) for x in range(3) for y in range(3))}
     around = [n[p] for p in ((0, 0), (1, 0), (2, 0), (2, 1), (2, 2), (1, 2), (0, 2), (0, 1))]
     faces = [top] + [[n[x, y], n[x + 1, y], n[x + 1, y + 1], n[x, y + 1]] for x in (0, 1) for y in (0, 1)]
+    faces[1].reverse()  # faces come wound either way
     for side in range(4):
         low = [around[(2 * side + i) % 8] for i in range(3)]
         faces.append([*low, top[(side + 1) % 4], top[side]])
