@@ -1,0 +1,236 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Compares runs of plungeFoam with runs of a stock solver on the same case: interface, force, motion of the body, CPU time.
+
+Run directories hold ascii fields, a `forces` function object named bodyForces (both as of ./setUp), the field V of
+`postProcess -func writeCellVolumes`, and the solver's output in log.solver.
+"""
+import argparse
+import csv
+import datetime
+import re
+import subprocess
+import sys
+from pathlib import Path
+from typing import Dict, List, NamedTuple, Optional, Sequence, Tuple
+
+import numpy as np
+
+PHASE = "alpha.water"
+HOLE = 2                # in the field cellTypes of an overset mesh
+FIRST_STEPS = 2         # steps left out of CPU times: they pay for what is constructed once
+
+
+class ComparisonError(RuntimeError):
+    """A run lacks what the comparison needs."""
+
+
+def readCells(path: Path) -> np.ndarray:
+    """Cell values of an ascii volScalarField or volVectorField; a uniform field is one value."""
+    if not path.exists():
+        raise ComparisonError(f"{path}: expected a field")
+    match = re.search(r"internalField\s+(?:uniform\s+(\([^)]*\)|[^;]+);|nonuniform\s+List<(\w+)>\s*(\d+)\s*\()", path.read_text())
+    if not match:
+        raise ComparisonError(f"{path}: entry internalField: expected an ascii field")
+    if match.group(1):
+        return np.array([match.group(1).strip("()").split()], dtype=float)
+    text = path.read_text()[match.end():]
+    width = {"scalar": 1, "vector": 3}[match.group(2)]
+    text = text[:re.search(r"\n\)\s*;?\s*\n", text).start()] if width == 3 else text[:text.index(")")]
+    values = np.array(text.replace("(", " ").replace(")", " ").split(), dtype=float)
+    if values.size != width*int(match.group(3)):
+        raise ComparisonError(f"{path}: {values.size} values: expected {width}*{match.group(3)}")
+    return values.reshape(-1, width)
+
+
+def times(run: Path) -> List[str]:
+    """Time directories after the start, as they are named, in order."""
+    found = [path.name for path in run.iterdir() if re.fullmatch(r"[0-9.]+(e-?\d+)?", path.name) and float(path.name) > 0]
+    return sorted(found, key=float)
+
+
+def interfaceDifference(run: Path, reference: Path, time: str) -> float:
+    """Volume between the two interfaces at a time, as a fraction of the liquid's volume. Holes of overset meshes do not count."""
+    a, b = (readCells(case / time / PHASE).ravel() for case in (run, reference))
+    volume = readCells(reference / time / "V").ravel()
+    if (reference / time / "cellTypes").exists():
+        volume = volume*(readCells(reference / time / "cellTypes").ravel() != HOLE)
+    if not a.size == b.size == volume.size:
+        raise ComparisonError(f"{run}, {reference}: {a.size}, {b.size} cells and {volume.size} volumes at {time}: expected the same mesh")
+    return float(np.sum(np.abs(a - b)*volume)/np.sum(b*volume))
+
+
+def readForces(run: Path) -> Tuple[np.ndarray, np.ndarray]:
+    """Times [s] and total force [N] of the function object bodyForces."""
+    paths = sorted(run.glob("postProcessing/bodyForces/*/force.dat"), key=lambda path: float(path.parent.name))
+    if not paths:
+        raise ComparisonError(f"{run}: expected postProcessing/bodyForces/*/force.dat")
+    rows = [re.sub(r"[()]", " ", line).split()[:4] for path in paths for line in path.read_text().splitlines()
+            if not line.startswith("#")]
+    table = np.array(rows, dtype=float)
+    return table[:, 0], table[:, 1:]
+
+
+def resample(time: np.ndarray, values: np.ndarray, at: np.ndarray) -> np.ndarray:
+    """Columns of values at other times, linearly."""
+    return np.stack([np.interp(at, time, column) for column in values.T], axis=1)
+
+
+def forceDifference(run: Path, reference: Path) -> float:
+    """Root mean square of the difference of the forces over the run, over the reference's root mean square."""
+    time, force = readForces(reference)
+    difference = resample(*readForces(run), time) - force
+    # Steps differ in length.
+    weight = np.gradient(time)[:, None] if len(time) > 1 else 1.0
+    return float(np.sqrt(np.sum(weight*difference**2)/np.sum(weight*force**2)))
+
+
+class Step(NamedTuple):
+    """What a solver prints in one time step."""
+    time: float                             # [s]
+    centre: Optional[np.ndarray]            # centre of rotation of the body [m]
+    orientation: Optional[np.ndarray]       # row by row
+    cpu: float                              # since the start of the run [s]
+
+
+def readLog(path: Path) -> List[Step]:
+    """The completed time steps of a log; of several motion reports in a step, the last one counts."""
+    steps: List[Step] = []
+    time: Optional[float] = None
+    centre = orientation = None
+    vector = r"\s*\(([^)]*)\)"
+    for line in path.read_text().splitlines():
+        if match := re.match(r"Time = (\S+)", line):
+            time, centre, orientation = float(match.group(1)), None, None
+        elif match := re.match(r"\s*Centre of rotation:" + vector, line):
+            centre = np.array(match.group(1).split(), dtype=float)
+        elif match := re.match(r"\s*Orientation:" + vector, line):
+            orientation = np.array(match.group(1).split(), dtype=float)
+        elif (match := re.match(r"ExecutionTime = (\S+) s", line)) and time is not None:
+            steps.append(Step(time, centre, orientation, float(match.group(1))))
+            time = None
+    if not steps:
+        raise ComparisonError(f"{path}: expected the output of a solver with at least one complete time step")
+    return steps
+
+
+class Motion(NamedTuple):
+    """Difference of two motions, and how far the reference moved."""
+    position: float     # largest distance between the centres [m]
+    travel: float       # [m]
+    angle: float        # largest angle between the orientations [rad]
+    turn: float         # [rad]
+
+
+def angles(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    """Angle between orientations, matrices in rows [rad]; from their distance, which is exact where the angle is small."""
+    return 2*np.arcsin(np.clip(np.linalg.norm(a - b, axis=1)/np.sqrt(8), 0, 1))
+
+
+def motionDifference(run: Path, reference: Path) -> Motion:
+    """Compares the motion of the body over the run; the reference's own is counted from its first step."""
+    ours, theirs = (readLog(case / "log.solver") for case in (run, reference))
+    if any(step.centre is None for step in ours + theirs):
+        raise ComparisonError(f"{run}, {reference}: expected 'report on' in constant/dynamicMeshDict")
+    at = np.array([step.time for step in theirs])
+    stacked = {name: [np.stack([getattr(step, name) for step in steps]) for steps in (ours, theirs)] for name in ("centre", "orientation")}
+    time = np.array([step.time for step in ours])
+    centre, orientation = (resample(time, stacked[name][0], at) for name in ("centre", "orientation"))
+    centre0, orientation0 = stacked["centre"][1], stacked["orientation"][1]
+    return Motion(float(np.linalg.norm(centre - centre0, axis=1).max()),
+                  float(np.linalg.norm(centre0 - centre0[0], axis=1).max()),
+                  float(angles(orientation, orientation0).max()),
+                  float(angles(orientation0, orientation0[:1]).max()))
+
+
+def cpuPerStep(runs: Sequence[Path]) -> float:
+    """CPU time per step [s], without the first steps; of several runs the fastest, the one that was disturbed least."""
+    def mean(steps: List[Step]) -> float:
+        if len(steps) <= FIRST_STEPS:
+            raise ComparisonError(f"{len(steps)} time steps: expected more than {FIRST_STEPS}")
+        return (steps[-1].cpu - steps[FIRST_STEPS - 1].cpu)/(len(steps) - FIRST_STEPS)
+    return min(mean(readLog(run / "log.solver")) for run in runs)
+
+
+class Row(NamedTuple):
+    """A judged figure."""
+    quantity: str
+    value: float
+    unit: str
+    reference: float
+    tolerance: float
+    holds: str
+    cpu_seconds: float
+    version: str
+    date: str
+
+
+def rows(name: str, runs: Sequence[Path], references: Sequence[Path], version: str) -> List[Row]:
+    """All figures of one case, from repeated runs of plungeFoam and of the stock solver."""
+    run, reference = runs[0], references[0]
+    cpu = readLog(run / "log.solver")[-1].cpu
+    date = datetime.date.today().isoformat()
+    compared = times(reference)
+    if not compared or compared != times(run):
+        raise ComparisonError(f"{run}: times {times(run)}: expected those of {reference}, {compared}")
+
+    def row(quantity: str, value: float, unit: str, expected: float, tolerance: float) -> Row:
+        holds = "yes" if value <= expected + tolerance else "no"
+        return Row(f"{name} to {compared[-1]} s: {quantity}", value, unit, expected, tolerance, holds, cpu, version, date)
+
+    differences = [interfaceDifference(run, reference, time) for time in compared]
+    found = [row("volume between the interfaces, largest of the run", 100*max(differences), "% of liquid volume", 0, 1),
+             row("force, rms of the difference over the run", 100*forceDifference(run, reference), "% of rms force", 0, 1)]
+    if readLog(reference / "log.solver")[-1].centre is not None:
+        motion = motionDifference(run, reference)
+        found.append(row("position of the body, largest difference", 100*motion.position/motion.travel, "% of travel", 0, 1))
+        if motion.turn > 1e-6:
+            found.append(row("orientation of the body, largest difference", 100*motion.angle/motion.turn, "% of turn", 0, 1))
+    ratio = cpuPerStep(runs)/cpuPerStep(references)
+    # The tolerance is what repeated runs of one program differ by.
+    found.append(row("CPU time per step over the stock solver's", ratio, "1", 1, 0.03))
+    return found
+
+
+def softwareVersion() -> str:
+    """git's name of what was run."""
+    return subprocess.run(["git", "describe", "--always", "--dirty"], cwd=Path(__file__).parent, check=True,
+                          capture_output=True, text=True).stdout.strip()
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("directory", type=Path, help="holds <case>/plungeFoam.* and <case>/stock.*, the runs")
+    parser.add_argument("cases", nargs="+", help="names of the cases")
+    parser.add_argument("-result", type=Path, default=Path("result.csv"), help="table to write (default: %(default)s)")
+    arguments = parser.parse_args()
+
+    # Cases that were not run again keep their rows.
+    table: List[Row] = []
+    if arguments.result.exists():
+        with arguments.result.open(newline="") as file:
+            table = [Row(**row) for row in csv.DictReader(file) if row["quantity"].split()[0] not in arguments.cases]
+    kept = len(table)
+    for case in arguments.cases:
+        found: Dict[str, List[Path]] = {}
+        for solver in ("plungeFoam", "stock"):
+            found[solver] = sorted(log.parent for log in (arguments.directory / case).glob(f"{solver}.*/**/log.solver"))
+            if not found[solver]:
+                raise ComparisonError(f"{arguments.directory / case}: expected {solver}.*/log.solver")
+        table += rows(case, found["plungeFoam"], found["stock"], softwareVersion())
+
+    with arguments.result.open("w", newline="") as file:
+        writer = csv.writer(file)
+        writer.writerow(Row._fields)
+        for row in table:
+            writer.writerow([f"{field:.4g}" if isinstance(field, float) else field for field in row])
+    for row in table[kept:]:
+        print(f"{row.quantity:70s} {row.value:11.4g} {row.unit:20s} expected {row.reference:g} + {row.tolerance:g}: {row.holds}")
+    return 0 if all(row.holds == "yes" for row in table[kept:]) else 1
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main())
+    except ComparisonError as error:
+        sys.exit(f"compare.py: {error}")
