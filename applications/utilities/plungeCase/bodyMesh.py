@@ -199,8 +199,13 @@ class VolumeMesh:
 
 
 def build(body: Body, size: MeshSize, full: bool) -> VolumeMesh:
-    """Extrude the surface grid along the meridian's lines; `full` adds the mirror image."""
-    surface = butterfly_surface(size)
+    """The body mesh: half, y >= 0, or `full` with its mirror image."""
+    half = extrude(butterfly_surface(size), body, size)
+    return _mirrored(half) if full else half
+
+
+def extrude(surface: SurfaceGrid, body: Body, size: MeshSize) -> VolumeMesh:
+    """Layers of hexahedra over a half surface, along the meridian's lines."""
     meridian = Meridian(body, size)
     layers = []
     for k in range(size.layers + 1):
@@ -215,13 +220,12 @@ def build(body: Body, size: MeshSize, full: bool) -> VolumeMesh:
     outer = surface.quads + stride * size.layers
 
     edges = np.vstack([surface.quads[:, [a, (a + 1) % 4]] for a in range(4)])
-    names, first, counts = np.unique(np.sort(edges, axis=1), axis=0, return_index=True, return_counts=True)
+    _, first, counts = np.unique(np.sort(edges, axis=1), axis=0, return_index=True, return_counts=True)
     open_edges = edges[first[counts == 1]]
     low = open_edges[None] + stride * np.arange(size.layers)[:, None, None]
     symmetry = np.concatenate((low, low[..., ::-1] + stride), axis=-1).reshape(-1, 4)
 
-    mesh = VolumeMesh(nodes, hexahedra, wall, outer, symmetry)
-    return _mirrored(mesh) if full else mesh
+    return VolumeMesh(nodes, hexahedra, wall, outer, symmetry)
 
 
 def _mirrored(half: VolumeMesh) -> VolumeMesh:
