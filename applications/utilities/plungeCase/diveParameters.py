@@ -223,8 +223,21 @@ def derive(dive: Dive) -> list[tuple[str, dict[str, Any]]]:
     def voxels(cells_each: float) -> list[int]:
         return [ceil(span / (cells_each * finest)) for span in box[1] - box[0]]
 
+    # An estimate, for the scheduler: cells from the shells' volumes, the rest from runs of the fast tier.
+    quads = 4 * size.cap_cells * (size.axial_cells - 2 * (size.cap_cells + size.ring_cells)) \
+        + 2 * (2 * size.cap_cells**2 + 4 * size.cap_cells * size.ring_cells)
+    share_of_shell = 1 if full else 0.5
+    path_length = (1 + p["dive.travel"]) * length
+    background = (x_high - x_low) * y_high * (2 if full else 1) * (z_high - z_low) * resolution**3
+    for reach, level in shells:
+        volume = share_of_shell * np.pi * reach**2 * (path_length + 4 / 3 * reach)
+        background += 7 / 8 * volume / (cell / 2**level / resolution) ** 3
+    all_cells = background + quads * size.layers * (2 if full else 1)
+    time_step = min(0.5 * tier["maxCo"] * size.nose_spacing / p["dive.speed"], tier["maxDeltaT"] / resolution)
+
     end_time = p["dive.travel"] * length / p["dive.speed"]
     vector = lambda v: [float(x) + 0.0 for x in v]
+
     return [
         ("The dive", {
             "fluids": p["fluids"], "model": p["model"], "tier": p["tier"], "resolution": resolution,
@@ -267,7 +280,8 @@ def derive(dive: Dive) -> list[tuple[str, dict[str, Any]]]:
             "backgroundVoxels": voxels(2), "bodyVoxels": voxels(0.5),
         }),
         ("Run", {
-            "cores": p["cores"], "coresSplit": cores_split(p["cores"]),
+            "cores": p["cores"], "estimatedCells": round(all_cells, -3),
+            "estimatedSteps": round(end_time / time_step, -1), "coresSplit": cores_split(p["cores"]),
             "diveDuration": end_time, "frameInterval": end_time / p["output.frames"],
             "initialDeltaT": 0.05 * size.nose_spacing / p["dive.speed"],
             "deltaTLimit": tier["maxDeltaT"] / resolution, "courantLimit": tier["maxCo"],
