@@ -117,7 +117,7 @@ class SurfaceGrid:
 # How far the butterfly's square is rounded towards a disc: 0 not at all, 1 entirely. More opens the cells at its
 # corners and takes from the ring beyond them; chosen for the longest time step at the nose, where the flow
 # is fast over the corners, and between time step and non-orthogonality on the tail's cone.
-_ROUNDING = {"nose": 0.25, "tail": 0.5}
+_ROUNDING = {"nose": 0.25, "tail": 0.6}
 
 
 def _disc(size: MeshSize, rounding: float) -> tuple[np.ndarray, np.ndarray]:
