@@ -1,0 +1,176 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""plungeCase: geometry of the body, its mesh, checks of the parameters, run directories."""
+
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+TOOLS = ROOT / "applications/utilities/plungeCase"
+CASE = ROOT / "cases/gannetPlunge"
+sys.path.insert(0, str(TOOLS))
+
+import bodyMesh  # noqa: E402
+import diveParameters  # noqa: E402
+import foamDictionary  # noqa: E402
+from bodyGeometry import Body  # noqa: E402
+
+
+@pytest.fixture
+def case(tmp_path: Path) -> Path:
+    """A copy of the case, without its runs."""
+    return Path(shutil.copytree(CASE, tmp_path / "case", ignore=shutil.ignore_patterns("run")))
+
+
+def plungeCase(case: Path, *arguments: str) -> subprocess.CompletedProcess:
+    return subprocess.run([str(TOOLS / "plungeCase"), "-case", str(case), *arguments],
+                          capture_output=True, text=True)
+
+
+def edit(path: Path, old: str, new: str) -> None:
+    text = path.read_text()
+    assert text.count(old) == 1
+    path.write_text(text.replace(old, new))
+
+
+# --- geometry ----------------------------------------------------------------
+
+
+def test_body_integrals_agree_with_quadrature() -> None:
+    length, ratio = 2.0, 0.1
+    x = length * (1 - np.cos(np.linspace(0, np.pi, 20001))) / 2
+    s = x / length
+    r = 5 * ratio * length * (
+        0.2969 * np.sqrt(s) - 0.1260 * s - 0.3516 * s**2 + 0.2843 * s**3 - 0.1036 * s**4)
+    volume = np.trapz(np.pi * r**2, x)
+    centroid = np.trapz(np.pi * r**2 * x, x) / volume
+    body = Body(length, ratio)
+    assert body.volume == pytest.approx(volume, rel=1e-6)
+    assert body.centroid == pytest.approx(centroid, rel=1e-6)
+    roll, pitch = body.unit_inertia()
+    assert roll == pytest.approx(np.trapz(np.pi * r**4 / 2, x), rel=1e-6)
+    assert pitch == pytest.approx(np.trapz(np.pi * r**2 * (r**2 / 4 + (x - centroid) ** 2), x), rel=1e-6)
+    assert body.nose_radius == pytest.approx(1.1019 * ratio**2 * length, rel=1e-4)
+
+
+# --- body mesh ---------------------------------------------------------------
+
+
+def fast_mesh(resolution: float = 1, full: bool = False) -> tuple[Body, bodyMesh.VolumeMesh]:
+    dive = diveParameters.read(CASE, {"tier": "fast"})
+    body = Body(1.0, 0.1)
+    return body, bodyMesh.build(body, diveParameters.mesh_size(body, dive.tier, resolution), full)
+
+
+def enclosed(nodes: np.ndarray, quads: np.ndarray) -> float:
+    """Volume between a surface and the origin, by the divergence theorem."""
+    points = nodes[quads]
+    middle = points.mean(axis=1, keepdims=True)
+    areas = 0.5 * np.cross(points - middle, np.roll(points, -1, axis=1) - middle)
+    return float(np.einsum("ijk,ijk->", areas, np.broadcast_to(middle, points.shape)) / 3)
+
+
+def hexahedron_volumes(mesh: bodyMesh.VolumeMesh) -> np.ndarray:
+    faces = ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))
+    corners = mesh.nodes[mesh.hexahedra]
+    centre = corners.mean(axis=1, keepdims=True)
+    volume = np.zeros(len(corners))
+    for face in faces:
+        points = corners[:, face]
+        middle = points.mean(axis=1, keepdims=True)
+        areas = 0.5 * np.cross(points - middle, np.roll(points, -1, axis=1) - middle)
+        volume += np.einsum("ijk,ijk->i", areas, np.broadcast_to(middle - centre, points.shape)) / 3
+    return volume
+
+
+def test_mesh_fills_the_space_between_wall_and_outer_surface() -> None:
+    _, mesh = fast_mesh(full=True)
+    volumes = hexahedron_volumes(mesh)
+    assert (volumes < 0).all() or (volumes > 0).all()
+    between = abs(enclosed(mesh.nodes, mesh.outer)) - abs(enclosed(mesh.nodes, mesh.wall))
+    assert abs(volumes).sum() == pytest.approx(between, rel=1e-9)
+
+
+def test_wall_encloses_the_body_and_converges() -> None:
+    error = []
+    for resolution in (1, 2):
+        body, mesh = fast_mesh(resolution)
+        error.append(abs(2 * abs(enclosed(mesh.nodes, mesh.wall)) / body.volume - 1))
+    assert error[0] < 0.02
+    assert error[1] < error[0] / 3.5  # second order
+
+
+def test_half_model_lies_on_its_plane_and_the_full_one_is_its_double() -> None:
+    _, half = fast_mesh()
+    _, full = fast_mesh(full=True)
+    assert (half.nodes[:, 1] >= 0).all()
+    assert (half.nodes[np.unique(half.symmetry), 1] == 0).all()
+    assert len(full.hexahedra) == 2 * len(half.hexahedra)
+    assert abs(hexahedron_volumes(full)).sum() == pytest.approx(2 * abs(hexahedron_volumes(half)).sum(), rel=1e-12)
+
+
+def test_no_cell_is_collapsed() -> None:
+    _, mesh = fast_mesh()
+    corners = mesh.nodes[mesh.hexahedra]
+    gaps = np.linalg.norm(corners[:, :, None] - corners[:, None], axis=-1) + np.eye(8)
+    assert gaps.min() > 1e-4
+
+
+# --- parameters --------------------------------------------------------------
+
+
+@pytest.mark.parametrize("arguments, expected", [
+    (["-fluids", "oil"], "entry 'fluids' is oil; expected one of"),
+    (["-model", "quarter"], "entry 'model' is quarter; expected one of: half full"),
+    (["-np", "0"], "entry 'cores' is 0; expected a whole number, at least 1"),
+    (["-resolution", "fine"], "entry 'resolution' is fine; expected a number from 0.5 to 16"),
+    (["-set", "body.mass=-1"], "entry 'body.mass' is -1; expected a number above 0"),
+    (["-set", "dive.angel=60"], "unknown entry 'dive.angel'"),
+])
+def test_bad_values_are_named(case: Path, arguments: list[str], expected: str) -> None:
+    done = plungeCase(case, *arguments)
+    assert done.returncode != 0
+    assert expected in done.stderr and "plungeParameters" in done.stderr
+    assert not (case / "run").exists()
+
+
+def test_missing_entry_and_broken_syntax_are_named(case: Path) -> None:
+    path = case / "system/plungeParameters"
+    edit(path, "    speed           25;", "    // speed")
+    assert "entry 'dive.speed' is missing; expected a number above 0" in plungeCase(case).stderr
+    edit(path, "dive\n{", "dive\n")
+    assert "plungeParameters, line" in plungeCase(case).stderr
+
+
+def test_half_model_has_half_the_mass_and_the_path_the_angle(case: Path) -> None:
+    values = {}
+    for model in ("half", "full"):
+        assert plungeCase(case, "-model", model, "-run", f"run/{model}").returncode == 0
+        values[model] = foamDictionary.read(case / f"run/{model}/system/plungeGenerated")
+    half, full = values["half"], values["full"]
+    assert full["modelledMass"] == pytest.approx(full["bodyMass"]) == pytest.approx(664 * Body(1, 0.1).volume)
+    assert half["modelledMass"] == pytest.approx(full["bodyMass"] / 2)
+    assert half["modelledMomentOfInertia"] == pytest.approx([i / 2 for i in full["bodyMomentOfInertia"]])
+    assert np.degrees(np.arctan2(-half["initialVelocity"][2], half["initialVelocity"][0])) == pytest.approx(75)
+    axes = np.reshape(half["orientation"], (3, 3))
+    assert axes @ axes.T == pytest.approx(np.eye(3), abs=1e-9) and np.linalg.det(axes) == pytest.approx(1)
+
+
+def test_run_directory_is_kept_for_the_same_dive_and_refused_for_another(case: Path) -> None:
+    first = plungeCase(case, "-run", "run/a")
+    assert first.stdout.strip() == str(case / "run/a")
+    kept = case / "run/a/system/controlDict"
+    kept.write_text(kept.read_text() + "// edited by hand\n")
+    assert plungeCase(case, "-run", "run/a").returncode == 0
+    assert kept.read_text().endswith("// edited by hand\n")
+    refused = plungeCase(case, "-run", "run/a", "-fluids", "water")
+    assert refused.returncode != 0 and "holds another dive" in refused.stderr
+
+
+@pytest.mark.parametrize("cores", [1, 2, 6, 7, 64])
+def test_ranks_are_all_used(cores: int) -> None:
+    assert np.prod(diveParameters.cores_split(cores)) == cores
