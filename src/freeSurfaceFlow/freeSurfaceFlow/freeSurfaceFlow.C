@@ -160,7 +160,7 @@ Foam::freeSurfaceFlow::freeSurfaceFlow(dynamicFvMesh& mesh)
     p_
     (
         derivedField("p", mesh, IOobject::NO_READ, IOobject::AUTO_WRITE),
-        p_rgh_
+        1*p_rgh_    // the value without the boundary conditions
     ),
     pRefCell_(0),
     pRefValue_(0),
@@ -235,6 +235,13 @@ void Foam::freeSurfaceFlow::check() const
         (
             composite_ ? composite_->backgroundBounds() : mesh_.bounds()
         );
+    }
+
+    if (scene_.potentialStart() && !body_)
+    {
+        FatalIOErrorInFunction(scene_.dict())
+            << "Entry initialFlow is potential, but the scene has no body"
+            << nl << "Expected: fields." << exit(FatalIOError);
     }
 
     if (fv::localEulerDdt::enabled(mesh_))

@@ -3,6 +3,7 @@
 #include "freeSurfaceFlow.H"
 #include "CorrectPhi.H"
 #include "adjustPhi.H"
+#include "fixedGradientFvPatchFields.H"
 #include "fixedValueFvPatchFields.H"
 #include "fvc.H"
 #include "fvm.H"
@@ -98,7 +99,60 @@ void Foam::freeSurfaceFlow::projectFlux()
 
 void Foam::freeSurfaceFlow::startImpulsively()
 {
-    Info<< "Initial flow: potential of the body's velocity" << nl << endl;
+    Info<< "Initial flow: potential of the body's velocity" << endl;
+
+    // Impulsive pressure: where a wall moves its gradient gives the fluid the
+    // wall's normal velocity
+    wordList types(potentialTypes());
+    for (const label patchi : body_->patches())
+    {
+        types[patchi] = fixedGradientFvPatchScalarField::typeName;
+    }
+
+    volScalarField impulse
+    (
+        IOobject("impulse", time_.timeName(), mesh_),
+        mesh_,
+        dimensionedScalar(p_rgh_.dimensions()*dimTime, Zero),
+        types
+    );
+    mesh_.setFluxRequired(impulse.name());
+
+    const volScalarField rRho("rRho", 1/rho_);
+    const surfaceScalarField rRhof("rRhof", fvc::interpolate(rRho));
+
+    for (const label patchi : body_->patches())
+    {
+        const fvPatch& patch = mesh_.boundary()[patchi];
+        const vectorField wall(body_->velocity(patch.Cf()));
+        U_.boundaryFieldRef()[patchi] == wall;
+        refCast<fixedGradientFvPatchScalarField>
+        (
+            impulse.boundaryFieldRef()[patchi]
+        ).gradient() = -(wall & patch.nf())/rRhof.boundaryField()[patchi];
+    }
+
+    while (pimple_.correctNonOrthogonal())
+    {
+        fvScalarMatrix eqn(fvm::laplacian(rRhof, impulse) == fvc::div(phi_));
+        eqn.setReference(pRefCell_, 0);
+        eqn.solve(mesh_.solver(p_rgh_.name() + "Final"));
+
+        if (pimple_.finalNonOrthogonalIter())
+        {
+            const surfaceScalarField dPhi(-eqn.flux());
+            phi_ += dPhi;
+            U_ += rRho*fvc::reconstruct(dPhi/rRhof);
+        }
+    }
+
+    if (composite_)
+    {
+        U_ *= composite_->cellMask();
+    }
+    U_.correctBoundaryConditions();
+    correctUf();
+    printContinuityError();
 }
 
 // ************************************************************************* //

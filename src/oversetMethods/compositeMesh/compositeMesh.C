@@ -56,6 +56,9 @@ Foam::compositeMesh::compositeMesh(const fvMesh& mesh)
         faceMask_
     )
 {
+    // The mesh loads its stencil, but fills it only when it first moves
+    const_cast<cellCellStencilObject&>(Stencil::New(mesh_)).update();
+
     doNotInterpolate({cellMask_.name()});
     setCellMask();
     cellMask_.oldTime();

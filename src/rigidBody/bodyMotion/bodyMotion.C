@@ -128,6 +128,15 @@ void Foam::bodyMotion::check(const boundBox& domain) const
 }
 
 
+Foam::tmp<Foam::vectorField> Foam::bodyMotion::velocity
+(
+    const pointField& points
+) const
+{
+    return velocity() + (omega() ^ (points - centreOfMass()));
+}
+
+
 Foam::bodyMotion::loads Foam::bodyMotion::fluidLoads() const
 {
     dictionary d;
