@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Bad input: plungeFoam stops before the first time step and names the file, the entry and what it expected."""
+import re
+import shutil
+from pathlib import Path
+from typing import Callable, Dict, NamedTuple, Tuple
+
+import pytest
+
+from tutorials import copy, foam, run, setEntry, setUp, steps
+
+MOTION = "constant/dynamicMeshDict"
+COEFFS = "sixDoFRigidBodyMotionCoeffs"
+
+
+@pytest.fixture(scope="module")
+def cases(tmp_path_factory: pytest.TempPathFactory) -> Dict[str, Path]:
+    """A single static mesh, and a body on an overset mesh; both coarse, about 600 and 8000 cells."""
+    directory = tmp_path_factory.mktemp("badInput")
+    return {
+        "damBreak": setUp("damBreak", directory / "damBreak", "-coarser", 2, "-application", "plungeFoam", "-endTime", 0.002),
+        "floatingBody": setUp("floatingBody", directory / "floatingBody",
+                              "-coarser", 4, "-application", "plungeFoam", "-endTime", 0.001, "-deltaT", 0.001),
+    }
+
+
+def scene(*lines: str) -> Callable[[Path], None]:
+    """Writes constant/sceneProperties."""
+    header = "FoamFile { version 2.0; format ascii; class dictionary; object sceneProperties; }\n"
+    return lambda case: (case / "constant/sceneProperties").write_text(header + "\n".join(lines) + "\n") and None
+
+
+def entry(file: str, name: str, value: object) -> Callable[[Path], None]:
+    """Sets an entry of a dictionary."""
+    return lambda case: setEntry(case, file, name, value)
+
+
+def shifted(vector: str) -> Callable[[Path], None]:
+    """Moves the mesh of the body, and the body with it, before both meshes are merged."""
+    def edit(case: Path) -> None:
+        body = case / "body"
+        shutil.copytree(case.parent / "floatingBody", body)
+        foam("transformPoints", "-translate", vector, "-case", body, case=case)
+        shutil.rmtree(case / "constant/polyMesh")
+        shutil.rmtree(case / "0")
+        shutil.copytree(case / "0.orig", case / "0")
+        for command in (("blockMesh",), ("mergeMeshes", ".", "body", "-overwrite"), ("topoSet",), ("setFields",)):
+            foam(*command, case=case)
+    return edit
+
+
+class Mistake(NamedTuple):
+    """What is wrong, in which case, and what the message has to name."""
+    case: str
+    edit: Callable[[Path], None]
+    named: Tuple[str, ...]
+
+
+MISTAKES = {
+    "patch that is missing": Mistake(
+        "floatingBody", entry(MOTION, f"{COEFFS}/patches", "(keel)"), ("dynamicMeshDict", "patches", "keel", "floatingObject")),
+    "body outside the domain": Mistake(
+        "floatingBody", shifted("(0.7 0 0)"), ("dynamicMeshDict", "outside the domain", "(1.2 1.2 1)")),
+    "centre of mass outside the domain": Mistake(
+        "floatingBody", entry(MOTION, f"{COEFFS}/centreOfMass", "(0.5 0.5 7)"), ("dynamicMeshDict", "centreOfMass", "(0.5 0.5 7)", "inside")),
+    "mass of zero": Mistake(
+        "floatingBody", entry(MOTION, f"{COEFFS}/mass", "0"), ("dynamicMeshDict", "mass", "positive mass")),
+    "moment of inertia of zero": Mistake(
+        "floatingBody", entry(MOTION, f"{COEFFS}/momentOfInertia", "(1 0 1)"), ("dynamicMeshDict", "momentOfInertia", "positive")),
+    "overset zone without a donor": Mistake(
+        "floatingBody", shifted("(5 0 0)"), ("zone 1", "zoneID", "donor", "Expected")),
+    "unknown keyword": Mistake(
+        "damBreak", scene("surfaceTention on;"), ("sceneProperties", "surfaceTention", "surfaceTension")),
+    "unknown body": Mistake(
+        "damBreak", scene("body threeDoF;"), ("sceneProperties", "body", "threeDoF", "sixDoF")),
+    "unknown interface scheme": Mistake(
+        "damBreak", scene("interface levelSet;"), ("sceneProperties", "interface", "levelSet", "MULES", "isoAdvector")),
+    "scene without the mesh's motion": Mistake(
+        "floatingBody", scene("meshMotion none;"), ("sceneProperties", "meshMotion", "none", "overset", "dynamicMeshDict")),
+    "scene with a body that is not there": Mistake(
+        "damBreak", scene("body sixDoF;"), ("sceneProperties", "body", "none", "dynamicMeshDict")),
+    "scene with turbulence in a laminar case": Mistake(
+        "damBreak", scene("turbulence on;"), ("sceneProperties", "turbulence", "simulationType")),
+    "compressibility": Mistake(
+        "damBreak", scene("compressibility liquid;"), ("sceneProperties", "compressibility", "liquid", "none")),
+    "isoAdvector on an overset mesh": Mistake(
+        "floatingBody", scene("interface isoAdvector;"), ("sceneProperties", "interface", "isoAdvector", "overset", "MULES")),
+    "local time steps": Mistake(
+        "damBreak", entry("system/fvSchemes", "ddtSchemes/default", "localEuler"), ("fvSchemes", "localEuler", "Expected")),
+    "interface Courant number of zero": Mistake(
+        "damBreak", entry("system/controlDict", "maxAlphaCo", "0"), ("controlDict", "maxAlphaCo", "positive")),
+}
+
+
+@pytest.mark.parametrize("name", MISTAKES)
+def test_badInput(name: str, cases: Dict[str, Path]) -> None:
+    mistake = MISTAKES[name]
+    case = copy(cases[mistake.case], re.sub(r"\W+", "_", name))
+    mistake.edit(case)
+    done = run("plungeFoam", case=case, log="log.solver")
+    assert done.returncode != 0, f"{name}: plungeFoam ran"
+    assert not steps(done.stdout), f"{name}: stopped after a time step\n{done.stdout[-2000:]}"
+    assert "FOAM FATAL" in done.stdout, f"{name}: crashed without a message\n{done.stdout[-2000:]}"
+    message = done.stdout[done.stdout.index("FOAM FATAL"):]
+    missing = [word for word in mistake.named if word not in message]
+    assert not missing, f"{name}: {missing} not in\n{message[:3000]}"
+
+
+@pytest.mark.parametrize("case", ["damBreak", "floatingBody"])
+def test_goodInput(case: str, cases: Dict[str, Path]) -> None:
+    """Without a mistake the same cases run, with a scene that says what they are."""
+    good = copy(cases[case], f"good-{case}")
+    scene(*{"damBreak": ("body none;", "meshMotion none;", "turbulence off;"),
+            "floatingBody": ("body sixDoF;", "meshMotion overset;", "turbulence on;")}[case])(good)
+    assert steps(foam("plungeFoam", case=good, log="log.solver"))

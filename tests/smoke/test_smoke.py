@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Every case and the stock tutorials, a few steps: they run, and the result is a flow."""
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from conftest import REPOSITORY
+from tutorials import cellVolumes, compare, foam, setEntry, setUp, solve, steps
+
+# How each case runs a few steps.
+CASES = {
+    "gannetPlunge": ("-resolution", "0.5", "-set", "dive.travel=0.02", "-set", "output.frames=1"),
+}
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize("case", sorted(path.parent.name for path in REPOSITORY.glob("cases/*/Allrun")))
+def test_case(case: str, ranks: int, tmp_path: Path) -> None:
+    assert case in CASES, f"cases/{case}: expected its arguments for a few steps in {__file__}"
+    output = foam(REPOSITORY / "cases" / case / "Allrun", *CASES[case], "-np", ranks, "-run", tmp_path / "run", case=tmp_path)
+    run = Path(re.search(r"^Running in (.*)$", output, re.MULTILINE).group(1))
+    log = (run / "log.plungeFoam").read_text()
+    assert len(steps(log)) >= 3 and re.search(r"^End$", log, re.MULTILINE)
+    assert (ranks == 1) == (not list(run.glob("processor*")))
+
+
+def checkFlow(case: Path) -> None:
+    """The liquid is bounded and something moves."""
+    time = compare.times(case)[-1]
+    liquid = compare.readCells(case / time / "alpha.water")
+    assert -1e-3 < liquid.min() and liquid.max() < 1 + 1e-2 and liquid.max() > 0.9
+    speed = np.linalg.norm(compare.readCells(case / time / "U"), axis=1)
+    assert 1e-4 < speed.max() < 20, f"largest speed {speed.max()} m/s"
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize("tutorial, endTime", [("damBreak", 0.02), ("floatingObject", 0.04), ("floatingBody", 0.004)])
+def test_tutorial(tutorial: str, endTime: float, ranks: int, tmp_path: Path) -> None:
+    case = setUp(tutorial, tmp_path / tutorial, "-application", "plungeFoam", "-coarser", 4 if tutorial == "floatingBody" else 2,
+                 "-endTime", endTime, "-writeInterval", endTime)
+    output = solve(case, "plungeFoam", ranks)
+    assert len(steps(output)) >= 3
+    checkFlow(case)
+
+
+def test_isoAdvector(tmp_path: Path) -> None:
+    """The geometric scheme keeps the interface between the fluids within a cell or two, and the volume exactly."""
+    case = setUp("damBreak", tmp_path / "damBreak", "-application", "plungeFoam", "-coarser", 2, "-endTime", 0.1, "-writeInterval", 0.05)
+    (case / "constant/sceneProperties").write_text(
+        "FoamFile { version 2.0; format ascii; class dictionary; object sceneProperties; }\ninterface isoAdvector;\n")
+    assert "interface isoAdvector" in solve(case, "plungeFoam")
+    cellVolumes(case)
+    checkFlow(case)
+    volumes, smeared = zip(*((np.sum(liquid*volume), np.mean((liquid > 0.01) & (liquid < 0.99)))
+                             for time in compare.times(case)
+                             for liquid, volume in [(compare.readCells(case / time / "alpha.water"), compare.readCells(case / time / "V"))]))
+    initial = compare.readCells(case / "0/alpha.water")
+    expected = np.sum(initial*compare.readCells(case / compare.times(case)[0] / "V"))
+    assert max(abs(volume/expected - 1) for volume in volumes) < 1e-6
+    assert max(smeared) < 0.15

@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""OpenFOAM's tutorials as test cases, with coarse meshes, and the comparison of validation/stockTutorials."""
+import importlib.util
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+from types import ModuleType
+from typing import List
+
+from conftest import REPOSITORY
+
+STOCK_TUTORIALS = REPOSITORY / "validation/stockTutorials"
+
+
+def _compare() -> ModuleType:
+    spec = importlib.util.spec_from_file_location("compare", STOCK_TUTORIALS / "compare.py")
+    module = importlib.util.module_from_spec(spec)
+    written, sys.dont_write_bytecode = sys.dont_write_bytecode, True
+    spec.loader.exec_module(module)
+    sys.dont_write_bytecode = written
+    return module
+
+
+compare = _compare()
+
+
+def foam(*command: object, case: Path, log: str = "log.foam") -> str:
+    """Runs a program in the case directory and returns its output; fails the test with its last lines."""
+    done = run(*command, case=case, log=log)
+    if done.returncode:
+        raise AssertionError(f"{' '.join(map(str, command))} in {case}: exit status {done.returncode}\n{done.stdout[-3000:]}")
+    return done.stdout
+
+
+def run(*command: object, case: Path, log: str = "log.foam") -> subprocess.CompletedProcess:
+    """Runs a program in the case directory; its output goes into a log there, too."""
+    # OpenFOAM takes a PWD that is not the working directory for a mistake.
+    done = subprocess.run([str(word) for word in command], cwd=case, env={**os.environ, "PWD": str(case)}, text=True,
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    (case / log).write_text(done.stdout)
+    return done
+
+
+def setUp(tutorial: str, directory: Path, *options: object) -> Path:
+    """The case directory of a tutorial, meshed and with its initial fields: validation/stockTutorials/setUp."""
+    foam(STOCK_TUTORIALS / "setUp", *options, tutorial, directory, case=directory.parent, log=f"log.{directory.name}")
+    return directory / "background" if tutorial == "floatingBody" else directory
+
+
+def copy(case: Path, name: str) -> Path:
+    """A copy of a case that has been set up, beside it."""
+    target = case.parent / name
+    shutil.copytree(case, target)
+    return target
+
+
+def setEntry(case: Path, file: str, entry: str, value: object) -> None:
+    """Sets an entry of a dictionary; sub-dictionaries with slashes."""
+    foam("foamDictionary", "-disableFunctionEntries", "-entry", entry, "-set", value, file, case=case)
+
+
+def solve(case: Path, solver: str, ranks: int = 1) -> str:
+    """Runs a solver to the end, parallel runs with reconstruction, and returns its output."""
+    if ranks == 1:
+        return foam(solver, case=case, log="log.solver")
+    (case / "system/decomposeParDict").write_text(
+        "FoamFile { version 2.0; format ascii; class dictionary; object decomposeParDict; }\n"
+        f"numberOfSubdomains {ranks}; method simple; simpleCoeffs {{ n ({ranks} 1 1); delta 0.001; }}\n")
+    foam("decomposePar", case=case)
+    output = foam("mpirun", "-np", ranks, solver, "-parallel", case=case, log="log.solver")
+    foam("reconstructPar", case=case)
+    return output
+
+
+def cellVolumes(case: Path) -> None:
+    """Writes the field V at each time, from which differences are weighted."""
+    foam("postProcess", "-func", "writeCellVolumes", case=case)
+
+
+def steps(output: str) -> List[str]:
+    """Names of the times that a solver has started."""
+    return re.findall(r"^Time = (\S+)", output, re.MULTILINE)
