@@ -65,6 +65,16 @@ class Body:
         """Distance of the centre of volume from the nose [m]."""
         return np.pi * self._integral(self._r**2 * self._x) / self.volume
 
+    def added_mass_coefficients(self) -> tuple[float, float, float]:
+        """Added mass along the axis, across it and added inertia about a transverse axis, of the prolate spheroid
+        of this thickness ratio in unbounded fluid, over the displaced fluid's (Lamb 1932, arts. 114-115) [-]."""
+        e = np.sqrt(1 - self.thickness_ratio**2)
+        log = np.log((1 + e) / (1 - e))
+        alpha = 2 * (1 - e**2) / e**3 * (log / 2 - e)
+        beta = 1 / e**2 - (1 - e**2) / (2 * e**3) * log
+        rotary = e**4 * (beta - alpha) / ((2 - e**2) * (2 * e**2 - (2 - e**2) * (beta - alpha)))
+        return float(alpha / (2 - alpha)), float(beta / (2 - beta)), float(rotary)
+
     def unit_inertia(self) -> tuple[float, float]:
         """Moments of inertia about the centre of volume at unit density [m5]: about the axis, across it."""
         r2 = self._r**2

@@ -192,6 +192,11 @@ def derive(dive: Dive) -> list[tuple[str, dict[str, Any]]]:
     inertia = p.get("body.momentOfInertia", [roll, pitch, pitch])
     share = 1.0 if full else 0.5
 
+    # What the liquid adds once the body is immersed: an estimate for the coupling, which does not change its result.
+    axial, transverse, rotary = body.added_mass_coefficients()
+    displaced = share * fluids["liquidDensity"] * body.volume
+    displaced_inertia = share * fluids["liquidDensity"] * body.unit_inertia()[1]
+
     size = mesh_size(body, tier, resolution)
     path_end = nose + p["dive.travel"] * length * forward
     path_start = nose - length * forward
@@ -261,6 +266,9 @@ def derive(dive: Dive) -> list[tuple[str, dict[str, Any]]]:
         ("What the model holds of it", {
             "modelledMass": share * mass,
             "modelledMomentOfInertia": vector(share * np.asarray(inertia)),
+            "modelledVolume": share * body.volume,
+            "addedMassEstimate": [axial * displaced, transverse * displaced, transverse * displaced],
+            "addedInertiaEstimate": [0.0, rotary * displaced_inertia, rotary * displaced_inertia],
         }),
         ("Body mesh", {
             "capCells": size.cap_cells, "ringCells": size.ring_cells, "axialCells": size.axial_cells,

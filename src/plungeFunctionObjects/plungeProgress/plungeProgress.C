@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "plungeProgress.H"
+#include "addToRunTimeSelectionTable.H"
+#include "fvcSurfaceIntegrate.H"
+#include "surfaceFields.H"
+#include "volFields.H"
+
+#include <iomanip>
+#include <sstream>
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace functionObjects
+{
+    defineTypeNameAndDebug(plungeProgress, 0);
+    addToRunTimeSelectionTable(functionObject, plungeProgress, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Seconds as h:mm:ss
+std::string clockTime(const Foam::scalar seconds)
+{
+    const long s = std::lround(seconds);
+    std::ostringstream os;
+    os  << s/3600 << ':' << std::setfill('0') << std::setw(2) << (s/60) % 60
+        << ':' << std::setw(2) << s % 60;
+    return os.str();
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::functionObjects::plungeProgress::plungeProgress
+(
+    const word& name,
+    const Time& runTime,
+    const dictionary& dict
+)
+:
+    fvMeshFunctionObject(name, runTime, dict),
+    pace_(0),
+    lastTime_(runTime.value()),
+    lastClock_(runTime.elapsedClockTime())
+{
+    read(dict);
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalar Foam::functionObjects::plungeProgress::courantNumber
+(
+    const surfaceScalarField& phi,
+    const scalarField& indicator
+) const
+{
+    const scalarField sumPhi(fvc::surfaceSum(mag(phi))().primitiveField());
+    return
+        0.5*time_.deltaTValue()
+       *gMax((indicator*sumPhi/mesh_.V().field())());
+}
+
+
+// * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * * * //
+
+bool Foam::functionObjects::plungeProgress::read(const dictionary& dict)
+{
+    fvMeshFunctionObject::read(dict);
+    trajectory_ = dict.lookupOrDefault<word>("trajectory", word::null);
+    volumeLedger_ = dict.lookupOrDefault<word>("volumeLedger", word::null);
+    return true;
+}
+
+
+bool Foam::functionObjects::plungeProgress::execute()
+{
+    const scalar t = time_.value();
+    const scalar tEnd = time_.endTime().value();
+
+    // The pace of the last fifty steps or so
+    const scalar clock = time_.elapsedClockTime();
+    if (clock > lastClock_)
+    {
+        const scalar pace = (t - lastTime_)/(clock - lastClock_);
+        pace_ = (pace_ > 0 ? 0.98*pace_ + 0.02*pace : pace);
+        lastTime_ = t;
+        lastClock_ = clock;
+    }
+
+    const auto& phi = mesh_.lookupObject<surfaceScalarField>("phi");
+    const IOdictionary& transport =
+        mesh_.lookupObject<IOdictionary>("transportProperties");
+    const scalarField& alpha =
+        mesh_.lookupObject<volScalarField>
+        (
+            IOobject::groupName
+            (
+                "alpha",
+                transport.get<wordList>("phases")[0]
+            )
+        ).primitiveField();
+
+    std::ostringstream os;
+    os  << std::setprecision(4)
+        << "Progress: t = " << 1e3*t << " ms ("
+        << std::setprecision(3)
+        << 100*(t - time_.startTime().value())
+          /max(tEnd - time_.startTime().value(), VSMALL)
+        << " %), dt = " << 1e6*time_.deltaTValue() << " us, Co = "
+        << courantNumber(phi, scalarField(mesh_.nCells(), 1))
+        << ", interface " << courantNumber(phi, pos0(alpha - 0.01)*pos0(0.99 - alpha)());
+    if (mesh_.moving())
+    {
+        os  << ", mesh "
+            << courantNumber(mesh_.phi(), scalarField(mesh_.nCells(), 1));
+    }
+    if (!trajectory_.empty())
+    {
+        os  << std::setprecision(4) << " | depth "
+            << getObjectResult<scalar>(trajectory_, "penetration")
+            << " m, speed " << std::setprecision(5)
+            << getObjectResult<scalar>(trajectory_, "speed")
+            << " m/s, deceleration " << std::setprecision(4)
+            << getObjectResult<scalar>(trajectory_, "deceleration")
+            << " m/s2";
+    }
+    if (!volumeLedger_.empty())
+    {
+        os  << std::setprecision(3) << " | ledger "
+            << getObjectResult<scalar>(volumeLedger_, "errorPercent") << " %";
+    }
+    if (pace_ > 0)
+    {
+        os  << " | left " << clockTime((tEnd - t)/pace_);
+    }
+    Log << os.str().c_str() << endl;
+
+    return true;
+}
+
+// ************************************************************************* //
