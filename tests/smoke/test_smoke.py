@@ -11,7 +11,7 @@ from tutorials import cellVolumes, compare, foam, setEntry, setUp, solve, steps
 
 # How each case runs a few steps.
 CASES = {
-    "gannetPlunge": ("-resolution", "0.5", "-set", "dive.travel=0.02", "-set", "output.frames=1"),
+    "gannetPlunge": ("-resolution", "0.7", "-set", "dive.travel=0.02", "-set", "output.frames=1"),
 }
 
 
