@@ -226,6 +226,7 @@ void Foam::freeSurfaceFlow::check() const
 {
     if (composite_)
     {
+        composite_->checkHoles();
         composite_->checkDonors();
     }
 

@@ -2,11 +2,191 @@
 
 #include "freeSurfaceFlow.H"
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::freeSurfaceFlow::referenceScales
+(
+    scalar& length,
+    scalar& speed,
+    string& origin
+) const
+{
+    // The body, else the domain; the speed of a body at rest is that of a wave
+    const boundBox box(body_ ? body_->bounds() : mesh_.bounds());
+    const scalar g = buoyancy_ ? mag(buoyancy_->g).value() : 0;
+
+    length = cmptMax(box.span());
+    speed = body_ ? mag(body_->velocity()) : gMax(mag(U_.primitiveField()));
+    origin = body_ ? "of the body" : "of the domain and the initial flow";
+    if (speed < SMALL)
+    {
+        speed = Foam::sqrt(g*length);
+        origin += ", speed sqrt(g L)";
+    }
+
+    if (scene_.dict().found("reference"))
+    {
+        const dictionary& reference = scene_.dict().subDict("reference");
+        length = reference.get<scalar>("length");
+        speed = reference.get<scalar>("speed");
+        origin = "from constant/sceneProperties";
+        for (const scalar x : {length, speed})
+        {
+            if (!(x > 0))
+            {
+                FatalIOErrorInFunction(reference)
+                    << "Entry length or speed is " << x << nl
+                    << "Expected: positive values [m], [m/s]."
+                    << exit(FatalIOError);
+            }
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
 void Foam::freeSurfaceFlow::reportScene(Ostream& os) const
 {
-    os  << "Scene: ";
+    os  << nl << "Scene" << nl << "    models      : ";
     scene_.print(os);
-    os  << nl << endl;
+    os  << nl;
+
+    scalar L, U;
+    string origin;
+    referenceScales(L, U, origin);
+    os  << "    reference   : length " << L << " m, speed " << U << " m/s ("
+        << origin.c_str() << ')' << nl;
+
+    if (!(U > SMALL))
+    {
+        os  << "    no reference speed: no dimensionless numbers" << nl << endl;
+        return;
+    }
+
+    const scalar rho1 = mixture_.rho1().value();
+    const scalar rho2 = mixture_.rho2().value();
+    const scalar g = buoyancy_ ? mag(buoyancy_->g).value() : 0;
+    const scalar nu1 = gMax(mixture_.nuModel1().nu()().primitiveField());
+    const scalar nu2 = gMax(mixture_.nuModel2().nu()().primitiveField());
+    const dictionary& transport = mixture_;
+    const word phase1(transport.get<wordList>("phases")[0]);
+    const word phase2(transport.get<wordList>("phases")[1]);
+
+    DynamicList<string> remarks;
+
+    const scalar Re = U*L/nu1;
+    os  << "    Re          : " << Re << " in " << phase1 << ", " << U*L/nu2
+        << " in " << phase2 << nl;
+    if (Re > 5e5 && !scene_.turbulence())
+    {
+        remarks.append
+        (
+            "Re = " + name(Re) + " but turbulence is off: the boundary layer"
+            " is turbulent, and friction is that of what the mesh resolves"
+        );
+    }
+
+    if (g > 0)
+    {
+        os  << "    Fr          : " << U/Foam::sqrt(g*L) << nl;
+    }
+    else if (mag(rho1 - rho2) > SMALL)
+    {
+        remarks.append("gravity is off: nothing holds the free surface level");
+    }
+
+    scalar sigma = 0;
+    if (transport.found("sigma") && !transport.isDict("sigma"))
+    {
+        sigma = dimensionedScalar("sigma", dimMass/sqr(dimTime), transport).value();
+    }
+    if (sigma > 0)
+    {
+        const scalar We = rho1*sqr(U)*L/sigma;
+        os  << "    We          : " << We << nl;
+        if (We < 1e3 && !scene_.surfaceTension())
+        {
+            remarks.append
+            (
+                "We = " + name(We) + " but surface tension is off"
+            );
+        }
+        else if (We > 1e6 && scene_.surfaceTension())
+        {
+            remarks.append
+            (
+                "We = " + name(We) + ": surface tension shapes droplets only,"
+                " not the body's motion; it could be off"
+            );
+        }
+    }
+
+    for (const word& phase : {phase1, phase2})
+    {
+        scalar c = 0;
+        if (transport.subDict(phase).readIfPresent("soundSpeed", c) && c > 0)
+        {
+            const scalar Ma = U/c;
+            os  << "    Ma          : " << Ma << " in " << phase << nl;
+            if (Ma > 0.3)
+            {
+                remarks.append
+                (
+                    "Ma = " + name(Ma) + " in " + phase
+                  + " but compressibility is off"
+                );
+            }
+        }
+        else
+        {
+            os  << "    Ma          : unknown in " << phase
+                << " (no entry soundSpeed for it in"
+                << " constant/transportProperties)" << nl;
+        }
+    }
+
+    os  << "    density     : " << phase2 << '/' << phase1 << ' ' << rho2/rho1
+        << nl;
+    if (body_)
+    {
+        const scalar displaced = rho1*body_->enclosedVolume();
+        if (displaced > 0)
+        {
+            os  << "    mass        : body/displaced " << phase1 << ' '
+                << body_->mass()/displaced << nl;
+        }
+    }
+
+    scalar pAmbient = 0;
+    if (scene_.dict().readIfPresent("ambientPressure", pAmbient))
+    {
+        const scalar pVapour =
+            transport.subDict(phase1).lookupOrDefault<scalar>
+            (
+                "vapourPressure",
+                0
+            );
+        const scalar Ca = (pAmbient - pVapour)/(0.5*rho1*sqr(U));
+        os  << "    cavitation  : " << Ca << " (ambient " << pAmbient
+            << " Pa, vapour " << pVapour << " Pa)" << nl;
+        if (Ca < 1)
+        {
+            remarks.append
+            (
+                "cavitation number " + name(Ca) + ": where the flow is faster"
+                " than about " + name(Foam::sqrt(1 + Ca)) + " times the"
+                " reference speed the liquid would boil; plungeFoam lets its"
+                " pressure fall below the vapour's instead"
+            );
+        }
+    }
+
+    for (const string& remark : remarks)
+    {
+        os  << "    Note: " << remark.c_str() << '.' << nl;
+    }
+    os  << endl;
 }
 
 // ************************************************************************* //

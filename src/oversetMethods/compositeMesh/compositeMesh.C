@@ -194,6 +194,53 @@ void Foam::compositeMesh::setReferences(fvScalarMatrix& eqn) const
 }
 
 
+void Foam::compositeMesh::checkHoles() const
+{
+    const labelUList& types = Stencil::New(mesh_).cellTypes();
+    const labelList& zones = zoneID();
+    const pointField& C = mesh_.cellCentres();
+
+    List<boundBox> bounds(nZones());
+    forAll(zones, celli)
+    {
+        bounds[zones[celli]].add(C[celli]);
+    }
+    for (boundBox& b : bounds)
+    {
+        b.reduce();
+        b.inflate(0.05);
+    }
+
+    label nLeaked = 0;
+    forAll(zones, celli)
+    {
+        if (types[celli] == cellCellStencil::HOLE)
+        {
+            bool covered = false;
+            forAll(bounds, zonei)
+            {
+                covered =
+                    covered
+                 || (zonei != zones[celli] && bounds[zonei].contains(C[celli]));
+            }
+            nLeaked += !covered;
+        }
+    }
+
+    if (returnReduce(nLeaked, sumOp<label>()))
+    {
+        FatalErrorInFunction
+            << returnReduce(nLeaked, sumOp<label>()) << " cells that no other"
+            << " overset zone covers are holes: the cutting of the holes has"
+            << " leaked out of the body." << nl
+            << "Expected: several cells across the body in every zone; for"
+            << " trackingInverseDistance also voxels"
+            << " (system/fvSchemes::oversetInterpolation::searchBoxDivisions)"
+            << " that are smaller than the body." << exit(FatalError);
+    }
+}
+
+
 void Foam::compositeMesh::checkDonors() const
 {
     const labelUList& types = Stencil::New(mesh_).cellTypes();

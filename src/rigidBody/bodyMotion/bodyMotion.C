@@ -162,6 +162,19 @@ Foam::boundBox Foam::bodyMotion::bounds() const
 }
 
 
+Foam::scalar Foam::bodyMotion::enclosedVolume() const
+{
+    // The boundary's normals point out of the flow, into the body
+    scalar volume = 0;
+    for (const label patchi : patches_)
+    {
+        const fvPatch& patch = mesh_.boundary()[patchi];
+        volume -= sum(patch.Cf() & patch.Sf())/3;
+    }
+    return returnReduce(volume, sumOp<scalar>());
+}
+
+
 Foam::scalar Foam::bodyMotion::reach(const vector& direction) const
 {
     scalar furthest = -GREAT;
