@@ -66,6 +66,9 @@ _FLUIDS: dict[str, Check] = {
     "gasViscosity": _POSITIVE,
     "surfaceTension": _number("a number, 0 or above", lambda v: v >= 0),
     "surfacePressure": _POSITIVE,
+    "liquidVapourPressure": _POSITIVE,
+    "liquidSoundSpeed": _POSITIVE,
+    "gasSoundSpeed": _POSITIVE,
     "gravity": _number("a number, 0 or above", lambda v: v >= 0),
 }
 _TIER: dict[str, Check] = {
