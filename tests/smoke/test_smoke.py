@@ -24,6 +24,25 @@ def test_case(case: str, ranks: int, tmp_path: Path) -> None:
     log = (run / "log.plungeFoam").read_text()
     assert len(steps(log)) >= 3 and re.search(r"^End$", log, re.MULTILINE)
     assert (ranks == 1) == (not list(run.glob("processor*")))
+    checkDive(run, len(steps(log)))
+
+
+def checkDive(run: Path, nSteps: int) -> None:
+    """The tables of a dive's first steps: a line each, the motion consistent, the body still at speed, the ledger small."""
+    read = lambda name: np.genfromtxt(run / "postProcessing" / name / "0" / f"{name}.csv", delimiter=",", names=True)
+    dive, ledger = read("trajectory"), read("volumeLedger")
+    assert len(dive) == len(ledger) == nSteps + 1
+    time = dive["time_s"]
+    for axis in "xyz":
+        velocity = dive[f"v{axis}_m_s"]
+        np.testing.assert_allclose(np.diff(velocity), dive[f"a{axis}_m_s2"][1:]*np.diff(time), atol=1e-8)
+        # Semi-implicit Euler: each step with its new velocity
+        np.testing.assert_allclose(np.diff(dive[f"{axis}_m"]), velocity[1:]*np.diff(time), atol=1e-8)
+    np.testing.assert_allclose(np.hypot(np.hypot(dive["v1_m_s"], dive["v2_m_s"]), dive["v3_m_s"]), dive["speed_m_s"], rtol=1e-9)
+    assert abs(dive["speed_m_s"][0] - 25) < 1e-9
+    # Before contact only gravity and the gas act: no impulse at the start
+    assert np.abs(dive["deceleration_m_s2"][time < 3e-4]).max() < 5
+    assert np.abs(ledger["error_percent_of_body_volume"]).max() < 1
 
 
 def checkFlow(case: Path) -> None:

@@ -42,14 +42,17 @@ const sixDoFRigidBodyMotionSolver& theSolver(const fvMesh& mesh)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::bodyMotion::loads Foam::bodyMotion::patchForces::calculate()
+Foam::bodyMotion::loads Foam::bodyMotion::patchForces::calculate
+(
+    const point& centre
+)
 {
     calcForcesMoment();
 
     loads l;
     l.pressure = sum(force_[0]);
     l.viscous = sum(force_[1]);
-    l.moment = momentEff();
+    l.moment = momentEff() + ((coordSys_.origin() - centre) ^ forceEff());
     return l;
 }
 
@@ -139,14 +142,18 @@ Foam::tmp<Foam::vectorField> Foam::bodyMotion::velocity
 
 Foam::bodyMotion::loads Foam::bodyMotion::fluidLoads() const
 {
-    dictionary d;
-    d.add("type", functionObjects::forces::typeName);
-    d.add("patches", dict_.get<wordRes>("patches"));
-    d.add("rho", dict_.lookupOrDefault<word>("rho", "rho"));
-    d.add("rhoInf", dict_.lookupOrDefault<scalar>("rhoInf", 1));
-    d.add("CofR", motion_.centreOfMass());
+    if (!forces_)
+    {
+        dictionary d;
+        d.add("type", functionObjects::forces::typeName);
+        d.add("patches", dict_.get<wordRes>("patches"));
+        d.add("rho", dict_.lookupOrDefault<word>("rho", "rho"));
+        d.add("rhoInf", dict_.lookupOrDefault<scalar>("rhoInf", 1));
+        d.add("CofR", motion_.centreOfMass());
+        forces_.reset(new patchForces("forces", mesh_, d));
+    }
 
-    return patchForces("forces", mesh_, d).calculate();
+    return forces_->calculate(motion_.centreOfMass());
 }
 
 
