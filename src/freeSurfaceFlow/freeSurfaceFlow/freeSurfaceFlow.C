@@ -226,7 +226,6 @@ void Foam::freeSurfaceFlow::check() const
 {
     if (composite_)
     {
-        composite_->checkHoles();
         composite_->checkDonors();
     }
 
@@ -236,6 +235,11 @@ void Foam::freeSurfaceFlow::check() const
         (
             composite_ ? composite_->backgroundBounds() : mesh_.bounds()
         );
+    }
+
+    if (composite_)
+    {
+        composite_->checkHoles();
     }
 
     if (scene_.potentialStart() && !body_)
