@@ -48,6 +48,8 @@ void Foam::freeSurfaceFlow::referenceScales
 
 void Foam::freeSurfaceFlow::reportScene(Ostream& os) const
 {
+    const int precision = os.precision(4);
+
     os  << nl << "Scene" << nl << "    models      : ";
     scene_.print(os);
     os  << nl;
@@ -61,6 +63,7 @@ void Foam::freeSurfaceFlow::reportScene(Ostream& os) const
     if (!(U > SMALL))
     {
         os  << "    no reference speed: no dimensionless numbers" << nl << endl;
+        os.precision(precision);
         return;
     }
 
@@ -187,6 +190,7 @@ void Foam::freeSurfaceFlow::reportScene(Ostream& os) const
         os  << "    Note: " << remark.c_str() << '.' << nl;
     }
     os  << endl;
+    os.precision(precision);
 }
 
 // ************************************************************************* //
