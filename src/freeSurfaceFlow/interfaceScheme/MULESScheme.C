@@ -92,6 +92,21 @@ Foam::interfaceSchemes::MULES::centredPhi(const scalar cn) const
 }
 
 
+Foam::tmp<Foam::volScalarField::Internal>
+Foam::interfaceSchemes::MULES::absoluteDivergence
+(
+    const surfaceScalarField& phi
+) const
+{
+    return tmp<volScalarField::Internal>::New
+    (
+        mesh_.moving()
+      ? fvc::div(phi + mesh_.phi())().internalField()
+      : fvc::div(phi)().internalField()
+    );
+}
+
+
 Foam::tmp<Foam::surfaceScalarField>
 Foam::interfaceSchemes::MULES::compression(const dictionary& controls) const
 {
@@ -148,13 +163,7 @@ void Foam::interfaceSchemes::MULES::predict
     );
     if (f_.composite)
     {
-        eqn -= fvm::Sp
-        (
-            mesh_.moving()
-          ? fvc::div(phi + mesh_.phi())().internalField()
-          : fvc::div(phi)().internalField(),
-            alpha1_
-        );
+        eqn -= fvm::Sp(absoluteDivergence(phi)(), alpha1_);
     }
     eqn.solve();
 
@@ -255,12 +264,7 @@ void Foam::interfaceSchemes::MULES::advance()
 
             if (f_.composite)
             {
-                const volScalarField::Internal divU
-                (
-                    mesh_.moving()
-                  ? fvc::div(phi + mesh_.phi())().internalField()
-                  : fvc::div(phi)().internalField()
-                );
+                const volScalarField::Internal divU(absoluteDivergence(phi));
                 Foam::MULES::explicitSolve
                 (
                     geometricOneField(),
