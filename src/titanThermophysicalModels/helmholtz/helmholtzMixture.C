@@ -3,9 +3,11 @@
 #include "pureFluids.H"
 #include "reducingFunctions.H"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <vector>
 
 // * * * * * * * * * * * * * * * Local Functions  * * * * * * * * * * * * * //
 
@@ -106,139 +108,230 @@ void Foam::titan::range::check(double T, double p)
 }
 
 
-// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * * * * Term Table  * * * * * * * * * * * * * * * //
 
-int Foam::titan::helmholtzMixture::powerIndex(double t)
+struct Foam::titan::helmholtzMixture::termTable
 {
-    int k = 0;
-    while (k < nPowers_ && powers_[k] != t)
+    typedef isotherm::bell bell;
+
+    //- n delta^d tau^t exp(-delta^l), times the weight of its owner
+    struct power
     {
-        ++k;
-    }
-    if (k == nPowers_)
-    {
-        powers_[nPowers_++] = t;
-    }
-    return k;
-}
-
-
-int Foam::titan::helmholtzMixture::groupIndex(const bellGroup& g)
-{
-    for (int k = 0; k < nGroups_; ++k)
-    {
-        const bellGroup& other = groups_[k];
-        if (other.eta == g.eta && other.epsilon == g.epsilon && other.beta == g.beta && other.gamma == g.gamma)
-        {
-            return k;
-        }
-    }
-    groups_[nGroups_] = g;
-    return nGroups_++;
-}
-
-
-Foam::titan::helmholtzMixture::helmholtzMixture(const composition& x)
-:
-    x_(x),
-    M_(x.molarMass()),
-    R_(molarGasConstant)
-{
-    const reducingFunctions reduced(x.x());
-    Tr_ = reduced.T();
-    rhor_ = reduced.density();
-
-    auto isEighth = [](double t)
-    {
-        return t >= 0 && 8*t == std::floor(8*t) && 8*t <= maxEighths;
+        double n;
+        double t;
+        unsigned char d;
+        unsigned char l;
+        unsigned char tauPower;
+        unsigned char owner;
     };
 
-    // Whole eighths first, then the others
+    //- n delta^d tau^t bell(delta) exp(-beta (tau - gamma)^2), times the weight of its owner
+    struct bellTerm
+    {
+        double n;
+        double t;
+        double beta;
+        double gamma;
+        unsigned char d;
+        unsigned char bell;
+        unsigned char tauPower;
+        unsigned char owner;
+    };
+
+    //- Highest whole exponent of tau that is formed by multiplication
+    static constexpr int maxWhole = 28;
+
+    std::vector<power> powers;
+    std::vector<bellTerm> bellTerms;
+    std::vector<bell> bells;
+
+    //- Distinct exponents of tau: the whole eighths, up to maxWhole, first
+    std::vector<double> exponents;
+    int nEighths = 0;
+
+    //- Highest power of delta, by l
+    std::array<int, 5> degree{};
+
+    //- present: bit i is set where fluid i is there
+    explicit termTable(unsigned present);
+
+    //- The table of these fluids
+    static const termTable& of(const composition& x);
+
+
+private:
+
+    int place(double exponent)
+    {
+        const auto found = std::find(exponents.begin(), exponents.end(), exponent);
+        const int k = found - exponents.begin();
+        if (found == exponents.end())
+        {
+            exponents.push_back(exponent);
+        }
+        return k;
+    }
+
+    int place(const bell& b)
+    {
+        const auto found = std::find_if
+        (
+            bells.begin(), bells.end(),
+            [&](const bell& a)
+            {
+                return a.eta == b.eta && a.epsilon == b.epsilon && a.beta == b.beta && a.gamma == b.gamma;
+            }
+        );
+        const int k = found - bells.begin();
+        if (found == bells.end())
+        {
+            bells.push_back(b);
+        }
+        return k;
+    }
+
+    void add(double n, double t, int d, int l, int owner)
+    {
+        const int tauPower = place(t);
+        powers.push_back({n, t, uchar(d), uchar(l), uchar(tauPower), uchar(owner)});
+        degree[l] = std::max(degree[l], d);
+    }
+
+    void add(double n, double t, int d, double beta, double gamma, const bell& b, int owner)
+    {
+        const int tauPower = place(t);
+        bellTerms.push_back({n, t, beta, gamma, uchar(d), uchar(place(b)), uchar(tauPower), uchar(owner)});
+    }
+
+    static unsigned char uchar(int i)
+    {
+        return static_cast<unsigned char>(i);
+    }
+};
+
+
+Foam::titan::helmholtzMixture::termTable::termTable(unsigned present)
+{
+    auto isPresent = [=](int i)
+    {
+        return (present >> i) & 1;
+    };
+    auto isEighth = [](double t)
+    {
+        return t >= 0 && t <= maxWhole && 8*t == std::floor(8*t);
+    };
+
     for (const bool eighths : {true, false})
     {
-        auto wanted = [&](double t)
-        {
-            return isEighth(t) == eighths;
-        };
-        auto addTerm = [&](double weight, double n, double t, int d, int l)
-        {
-            terms_[nTerms_++] =
-            {
-                weight*n, t,
-                static_cast<unsigned char>(d), static_cast<unsigned char>(l),
-                static_cast<unsigned char>(powerIndex(t))
-            };
-        };
-        auto addBell = [&](double weight, double n, double t, int d, double betaT, double gammaT, const bellGroup& g)
-        {
-            bells_[nBells_++] =
-            {
-                weight*n, t, betaT, gammaT,
-                static_cast<unsigned char>(d), static_cast<unsigned char>(groupIndex(g)),
-                static_cast<unsigned char>(powerIndex(t))
-            };
-        };
-
         for (int i = 0; i < nSpecies; ++i)
         {
-            if (x[i] == 0)
+            if (!isPresent(i))
             {
                 continue;
             }
             const pureFluid& fluid = pureFluidOf(i);
-            if (x.isPure())
-            {
-                R_ = fluid.R;
-            }
             for (const powerTerm& k : fluid.power)
             {
-                if (wanted(k.t))
+                if (isEighth(k.t) == eighths)
                 {
-                    addTerm(x[i], k.n, k.t, k.d, k.l);
+                    add(k.n, k.t, k.d, k.l, i);
                 }
             }
             for (const gaussianTerm& k : fluid.gaussian)
             {
-                if (wanted(k.t))
+                if (isEighth(k.t) == eighths)
                 {
-                    addBell(x[i], k.n, k.t, k.d, k.beta, k.gamma, {k.eta, k.epsilon, 0, 0});
+                    add(k.n, k.t, k.d, k.beta, k.gamma, bell{k.eta, k.epsilon, 0, 0}, i);
                 }
             }
         }
         for (int pair = 0; pair < nPairs; ++pair)
         {
             const binaryPair& ij = binaryPairOf(pair);
-            const double weight = x[ij.i]*x[ij.j];
-            if (weight == 0)
+            if (!isPresent(ij.i) || !isPresent(ij.j))
             {
                 continue;
             }
             for (const departureTerm& k : ij.departure)
             {
-                if (!wanted(k.t))
+                if (isEighth(k.t) != eighths)
                 {
                     continue;
                 }
                 if (k.eta == 0 && k.beta == 0)
                 {
-                    addTerm(weight, k.n, k.t, k.d, 0);
+                    add(k.n, k.t, k.d, 0, nSpecies + pair);
                 }
                 else
                 {
-                    addBell(weight, k.n, k.t, k.d, 0, 0, {k.eta, k.epsilon, k.beta, k.gamma});
+                    add(k.n, k.t, k.d, 0, 0, bell{k.eta, k.epsilon, k.beta, k.gamma}, nSpecies + pair);
                 }
             }
         }
         if (eighths)
         {
-            nEighths_ = nPowers_;
+            nEighths = exponents.size();
         }
     }
+}
 
-    degree_.fill(0);
-    for (int k = 0; k < nTerms_; ++k)
+
+const Foam::titan::helmholtzMixture::termTable& Foam::titan::helmholtzMixture::termTable::of(const composition& x)
+{
+    static const std::vector<termTable> tables = []
     {
-        degree_[terms_[k].l] = std::max<int>(degree_[terms_[k].l], terms_[k].d);
+        std::vector<termTable> all;
+        for (unsigned present = 0; present < (1u << nSpecies); ++present)
+        {
+            all.emplace_back(present);
+            if
+            (
+                all.back().exponents.size() > isotherm::maxPowers
+             || all.back().bells.size() > isotherm::maxGroups
+             || *std::max_element(all.back().degree.begin(), all.back().degree.end()) > isotherm::maxD
+            )
+            {
+                throw std::logic_error("helmholtzMixture: more terms than an isotherm has room for");
+            }
+        }
+        return all;
+    }();
+
+    unsigned present = 0;
+    for (int i = 0; i < nSpecies; ++i)
+    {
+        present |= unsigned(x[i] > 0) << i;
+    }
+    return tables[present];
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::titan::helmholtzMixture::helmholtzMixture(const composition& x)
+:
+    x_(x),
+    M_(x.molarMass()),
+    R_(molarGasConstant),
+    table_(&termTable::of(x))
+{
+    static_assert(nPairs == 6, "one weight for each pair");
+
+    const reducingFunctions reduced(x.x());
+    Tr_ = reduced.T();
+    rhor_ = reduced.density();
+
+    for (int i = 0; i < nSpecies; ++i)
+    {
+        weights_[i] = x[i];
+        if (x[i] == 1)
+        {
+            R_ = pureFluidOf(i).R;
+        }
+    }
+    for (int pair = 0; pair < nPairs; ++pair)
+    {
+        weights_[nSpecies + pair] = x[binaryPairOf(pair).i]*x[binaryPairOf(pair).j];
     }
 }
 
@@ -250,12 +343,12 @@ Foam::titan::helmholtzMixture::isotherm::isotherm(const helmholtzMixture& mixtur
     tau_(mixture.Tr_/T)
 {
     range::checkTemperature(T);
-    const helmholtzMixture& m = mixture_;
+    const termTable& table = *mixture_.table_;
 
     // tau^(k/8) by multiplication: most exponents are whole eighths
-    double whole[maxEighths/8 + 1];
+    double whole[termTable::maxWhole + 1];
     whole[0] = 1;
-    for (int k = 1; k <= maxEighths/8; ++k)
+    for (int k = 1; k <= termTable::maxWhole; ++k)
     {
         whole[k] = whole[k-1]*tau_;
     }
@@ -268,60 +361,60 @@ Foam::titan::helmholtzMixture::isotherm::isotherm(const helmholtzMixture& mixtur
     eighths[5] = eighths[4]*eighths[1];
     eighths[6] = eighths[4]*eighths[2];
     eighths[7] = eighths[4]*eighths[3];
-    for (int k = 0; k < m.nEighths_; ++k)
+    for (int k = 0; k < table.nEighths; ++k)
     {
-        const int n = static_cast<int>(8*m.powers_[k]);
+        const int n = static_cast<int>(8*table.exponents[k]);
         tauPowers_[k] = whole[n/8]*eighths[n%8];
     }
     const double lnTau = std::log(tau_);
-    for (int k = m.nEighths_; k < m.nPowers_; ++k)
+    const int nExponents = table.exponents.size();
+    for (int k = table.nEighths; k < nExponents; ++k)
     {
-        tauPowers_[k] = std::exp(m.powers_[k]*lnTau);
+        tauPowers_[k] = std::exp(table.exponents[k]*lnTau);
     }
 
-    for (int order = 0; order < 3; ++order)
+    for (auto& order : powers_)
     {
         for (int l = 0; l < 5; ++l)
         {
-            std::fill_n(terms_[order][l], m.degree_[l] + 1, 0.0);
+            std::fill_n(order[l], table.degree[l] + 1, 0.0);
         }
     }
-    for (int k = 0; k < m.nTerms_; ++k)
+    for (const termTable::power& a : table.powers)
     {
-        const term& a = m.terms_[k];
-        const double value = a.n*tauPowers_[a.power];
-        terms_[0][a.l][a.d] += value;
-        terms_[1][a.l][a.d] += a.t*value;
-        terms_[2][a.l][a.d] += a.t*(a.t - 1)*value;
+        const double value = mixture_.weights_[a.owner]*a.n*tauPowers_[a.tauPower];
+        powers_[0][a.l][a.d] += value;
+        powers_[1][a.l][a.d] += a.t*value;
+        powers_[2][a.l][a.d] += a.t*(a.t - 1)*value;
     }
 
-    nGroups_ = 0;
-    std::array<int, maxGroups> place;
-    place.fill(-1);
-    for (int k = 0; k < m.nBells_; ++k)
+    nBells_ = 0;
+    int placeOf[maxGroups];
+    std::fill_n(placeOf, maxGroups, -1);
+    for (const termTable::bellTerm& a : table.bellTerms)
     {
-        const bell& a = m.bells_[k];
-        const double offset = tau_ - a.gammaT;
-        const double exponent = a.betaT*offset*offset;
+        const double offset = tau_ - a.gamma;
+        const double exponent = a.beta*offset*offset;
         if (exponent > negligibleExponent)
         {
             continue;
         }
-        int& g = place[a.group];
-        if (g < 0)
+        int& k = placeOf[a.bell];
+        if (k < 0)
         {
-            g = nGroups_++;
-            groups_[g] = m.groups_[a.group];
-            for (auto& order : bells_)
+            k = nBells_++;
+            bells_[k] = table.bells[a.bell];
+            for (auto& order : bellPowers_)
             {
-                std::fill_n(order[g], maxBellD + 1, 0.0);
+                std::fill_n(order[k], maxBellD + 1, 0.0);
             }
         }
-        const double value = a.n*tauPowers_[a.power]*(exponent != 0 ? std::exp(-exponent) : 1.0);
-        const double slope = a.t - 2*a.betaT*tau_*offset;
-        bells_[0][g][a.d] += value;
-        bells_[1][g][a.d] += slope*value;
-        bells_[2][g][a.d] += (slope*slope - a.t - 2*a.betaT*tau_*tau_)*value;
+        const double value =
+            mixture_.weights_[a.owner]*a.n*tauPowers_[a.tauPower]*(exponent != 0 ? std::exp(-exponent) : 1.0);
+        const double slope = a.t - 2*a.beta*tau_*offset;
+        bellPowers_[0][k][a.d] += value;
+        bellPowers_[1][k][a.d] += slope*value;
+        bellPowers_[2][k][a.d] += (slope*slope - a.t - 2*a.beta*tau_*tau_)*value;
     }
 }
 
@@ -377,10 +470,10 @@ Foam::titan::helmholtzMixture::isotherm::evaluate(double molarDensity) const
     double powerL = 1;
     for (int l = 0; l < 5; ++l)
     {
-        const int degree = mixture_.degree_[l];
+        const int degree = mixture_.table_->degree[l];
         if (degree)
         {
-            const polynomial q(terms_[0][l], degree, delta);
+            const polynomial q(powers_[0][l], degree, delta);
             const double h = l ? powerL : 0;
             const double e = l ? std::exp(-h) : 1.0;
             r.a += q.a*e;
@@ -389,16 +482,16 @@ Foam::titan::helmholtzMixture::isotherm::evaluate(double molarDensity) const
         }
         powerL *= delta;
     }
-    for (int g = 0; g < nGroups_; ++g)
+    for (int k = 0; k < nBells_; ++k)
     {
-        const bellGroup& group = groups_[g];
-        const double offset = delta - group.epsilon;
-        const double e = std::exp(-group.eta*offset*offset - group.beta*(delta - group.gamma));
-        const double slope = -delta*(2*group.eta*offset + group.beta);
-        const polynomial q(bells_[0][g], maxBellD, delta);
+        const bell& b = bells_[k];
+        const double offset = delta - b.epsilon;
+        const double e = std::exp(-b.eta*offset*offset - b.beta*(delta - b.gamma));
+        const double slope = -delta*(2*b.eta*offset + b.beta);
+        const polynomial q(bellPowers_[0][k], maxBellD, delta);
         r.a += q.a*e;
         r.aD += (q.aD + slope*q.a)*e;
-        r.aDD += (q.aDD + 2*slope*q.aD + (slope*slope - 2*group.eta*delta*delta)*q.a)*e;
+        r.aDD += (q.aDD + 2*slope*q.aD + (slope*slope - 2*b.eta*delta*delta)*q.a)*e;
     }
     return r;
 }
@@ -525,7 +618,6 @@ double Foam::titan::helmholtzMixture::idealHeatCapacity(double T) const
 
 double Foam::titan::helmholtzMixture::isotherm::molarDensity(double p, phase ph, double guess) const
 {
-    range::check(T_, p);
     return ph == phase::liquid ? liquidDensity(p, guess) : gasDensity(p);
 }
 
@@ -550,26 +642,26 @@ Foam::titan::fluidState Foam::titan::helmholtzMixture::isotherm::stateAtDensity(
     double powerL = 1;
     for (int l = 0; l < 5; ++l)
     {
-        const int degree = m.degree_[l];
+        const int degree = m.table_->degree[l];
         if (degree)
         {
             const double h = l ? powerL : 0;
             const double e = l ? std::exp(-h) : 1.0;
-            const polynomial q(terms_[1][l], degree, delta);
+            const polynomial q(powers_[1][l], degree, delta);
             aDT += (q.aD - l*h*q.a)*e;
-            aTT += polynomialValue(terms_[2][l], degree, delta)*e;
+            aTT += polynomialValue(powers_[2][l], degree, delta)*e;
         }
         powerL *= delta;
     }
-    for (int g = 0; g < nGroups_; ++g)
+    for (int k = 0; k < nBells_; ++k)
     {
-        const bellGroup& group = groups_[g];
-        const double offset = delta - group.epsilon;
-        const double e = std::exp(-group.eta*offset*offset - group.beta*(delta - group.gamma));
-        const double slope = -delta*(2*group.eta*offset + group.beta);
-        const polynomial q(bells_[1][g], maxBellD, delta);
+        const bell& b = bells_[k];
+        const double offset = delta - b.epsilon;
+        const double e = std::exp(-b.eta*offset*offset - b.beta*(delta - b.gamma));
+        const double slope = -delta*(2*b.eta*offset + b.beta);
+        const polynomial q(bellPowers_[1][k], maxBellD, delta);
         aDT += (q.aD + slope*q.a)*e;
-        aTT += polynomialValue(bells_[2][g], maxBellD, delta)*e;
+        aTT += polynomialValue(bellPowers_[2][k], maxBellD, delta)*e;
     }
 
     const double RT = m.R_*T_;
@@ -607,6 +699,97 @@ Foam::titan::fluidState Foam::titan::helmholtzMixture::isotherm::state(double p,
     fluidState s = stateAtDensity(molarDensity(p, ph, guess));
     s.p = p;
     return s;
+}
+
+
+Foam::titan::composition::fractions
+Foam::titan::helmholtzMixture::isotherm::lnFugacityCoefficients(double molarDensity, double p) const
+{
+    const helmholtzMixture& m = mixture_;
+    const termTable& table = *m.table_;
+    const double delta = molarDensity/m.rhor_;
+
+    double deltaPowers[maxD + 1];
+    deltaPowers[0] = 1;
+    for (int d = 1; d <= maxD; ++d)
+    {
+        deltaPowers[d] = deltaPowers[d-1]*delta;
+    }
+    const double decay[5] =
+    {
+        1, std::exp(-deltaPowers[1]), std::exp(-deltaPowers[2]), std::exp(-deltaPowers[3]), std::exp(-deltaPowers[4])
+    };
+
+    // The parts of alphar, weighted, by fluid and pair; those of delta dalphar/ddelta and tau dalphar/dtau in all
+    double parts[nSpecies + nPairs] = {};
+    double aD = 0;
+    double aT = 0;
+    for (const termTable::power& a : table.powers)
+    {
+        const double value =
+            m.weights_[a.owner]*a.n*tauPowers_[a.tauPower]*deltaPowers[a.d]*decay[a.l];
+        parts[a.owner] += value;
+        aD += (a.d - (a.l ? a.l*deltaPowers[a.l] : 0))*value;
+        aT += a.t*value;
+    }
+    double bellValues[maxGroups];
+    const int nBells = table.bells.size();
+    for (int k = 0; k < nBells; ++k)
+    {
+        const bell& b = table.bells[k];
+        const double offset = delta - b.epsilon;
+        bellValues[k] = std::exp(-b.eta*offset*offset - b.beta*(delta - b.gamma));
+    }
+    for (const termTable::bellTerm& a : table.bellTerms)
+    {
+        const double tauOffset = tau_ - a.gamma;
+        const double exponent = a.beta*tauOffset*tauOffset;
+        if (exponent > negligibleExponent)
+        {
+            continue;
+        }
+        const bell& b = table.bells[a.bell];
+        const double value =
+            m.weights_[a.owner]*a.n*tauPowers_[a.tauPower]*deltaPowers[a.d]*bellValues[a.bell]
+           *(exponent != 0 ? std::exp(-exponent) : 1.0);
+        parts[a.owner] += value;
+        aD += (a.d - delta*(2*b.eta*(delta - b.epsilon) + b.beta))*value;
+        aT += (a.t - 2*a.beta*tau_*tauOffset)*value;
+    }
+
+    // alphar, and sum_k x_k dalphar/dx_k
+    double a = 0;
+    double sum = 0;
+    composition::fractions slope{};
+    for (int i = 0; i < nSpecies; ++i)
+    {
+        a += parts[i];
+        sum += parts[i];
+        slope[i] += parts[i];
+    }
+    for (int pair = 0; pair < nPairs; ++pair)
+    {
+        const double part = parts[nSpecies + pair];
+        a += part;
+        sum += 2*part;
+        slope[binaryPairOf(pair).i] += part;
+        slope[binaryPairOf(pair).j] += part;
+    }
+
+    const reducingFunctions reduced(m.x_.x());
+    const double lnZ = std::log(p/(molarDensity*m.R_*T_));
+    composition::fractions lnPhi;
+    for (int i = 0; i < nSpecies; ++i)
+    {
+        lnPhi[i] = m.x_[i] > 0
+          ? a
+          + aD*(1 - reduced.molarDlnDensity(i, m.x_.x()))
+          + aT*reduced.molarDlnT(i, m.x_.x())
+          + slope[i]/m.x_[i] - sum
+          - lnZ
+          : std::numeric_limits<double>::quiet_NaN();
+    }
+    return lnPhi;
 }
 
 
