@@ -336,13 +336,16 @@ Foam::titan::helmholtzMixture::helmholtzMixture(const composition& x)
 }
 
 
-Foam::titan::helmholtzMixture::isotherm::isotherm(const helmholtzMixture& mixture, double T)
+Foam::titan::helmholtzMixture::isotherm::isotherm(const helmholtzMixture& mixture, double T, bool check)
 :
     mixture_(mixture),
     T_(T),
     tau_(mixture.Tr_/T)
 {
-    range::checkTemperature(T);
+    if (check)
+    {
+        range::checkTemperature(T);
+    }
     const termTable& table = *mixture_.table_;
 
     // tau^(k/8) by multiplication: most exponents are whole eighths
