@@ -565,18 +565,24 @@ double Foam::titan::helmholtzMixture::isotherm::liquidDensity(double p, double g
 
 double Foam::titan::helmholtzMixture::isotherm::gasDensity(double p) const
 {
-    // The isotherm is concave up to the spinodal: Newton's method from the dilute side climbs towards the root
-    constexpr double longestStep = 0.25;
+    // The isotherm is concave up to the spinodal: Newton's method from the dilute side climbs towards the root, and where
+    // the slope rises again the spinodal has been crossed
+    constexpr double longestStep = 0.15;
 
-    double rho = p/(mixture_.R_*T_);
+    // The gas is stable up to here at every temperature
+    constexpr double diluteDelta = 0.02;
+
+    double rho = std::min(p/(mixture_.R_*T_), diluteDelta*mixture_.rhor_);
+    double lastSlope = std::numeric_limits<double>::infinity();
     for (int k = 0; k < maxIterations; ++k)
     {
         double value, slope;
         pressure(rho, value, slope);
-        if (!(slope > 0))
+        if (!(slope > 0) || slope > lastSlope*(1 + newtonTolerance))
         {
             break;
         }
+        lastSlope = slope;
         const double step = (p - value)/slope;
         if (std::abs(step) < newtonTolerance*rho)
         {
@@ -670,10 +676,12 @@ Foam::titan::fluidState Foam::titan::helmholtzMixture::isotherm::stateAtDensity(
     const double RT = m.R_*T_;
     const double dpdrho = 1 + 2*r.aD + r.aDD;       // over RT
     const double dpdT = 1 + r.aD - aDT;             // over R rho
-    const double cv = m.idealHeatCapacity(T_) - aTT;    // over R
+    const double idealCv = m.idealHeatCapacity(T_);     // over R
+    const double cv = idealCv - aTT;                    // over R
     const double cp = cv + dpdT*dpdT/dpdrho;
 
-    if (!(dpdrho > 0) || !(cv > 0) || !std::isfinite(cp))
+    // Attraction only adds to the heat capacity: less than the ideal gas has comes of an equation beyond its range
+    if (!(dpdrho > 0) || !(cv > 0.99*idealCv) || !std::isfinite(cp))
     {
         throw thermoError
         (
