@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "fluidField.H"
+
+#include "Pair.H"
+#include "volFields.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+const Foam::Enum<Foam::titan::fluidField::evaluationType>
+Foam::titan::fluidField::evaluationTypeNames
+({
+    { evaluationType::constant, "constant" },
+    { evaluationType::tabulated, "tabulated" },
+    { evaluationType::direct, "direct" },
+});
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::titan::fluidField::makeModel(const std::vector<property>& asked)
+{
+    if (evaluation_ == evaluationType::constant)
+    {
+        return;
+    }
+    if (fluid_.isConstant())
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Entry evaluation is " << evaluationTypeNames[evaluation_]
+            << ", but " << fluid_.name().c_str() << " is a set of constants" << nl
+            << "Expected: constant." << exit(FatalIOError);
+    }
+
+    if (evaluation_ == evaluationType::direct)
+    {
+        model_ = directFluid(fluid_.x(), fluid_.ph());
+        return;
+    }
+
+    const Pair<scalar> T
+    (
+        dict_.lookupOrDefault
+        (
+            "TRange",
+            Pair<scalar>
+            (
+                max(fluid_.T() - 5, range::Tmin),
+                min(fluid_.T() + 5, range::Tmax)
+            )
+        )
+    );
+    if (!(T.first() <= fluid_.T() && fluid_.T() <= T.second()))
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Entry TRange is " << T << nl
+            << "Expected: two temperatures about that of the fluid, "
+            << fluid_.T() << " K." << exit(FatalIOError);
+    }
+
+    // Only the temperature varies
+    tableLimits limits;
+    limits.Tmin = T.first();
+    limits.Tmax = T.second();
+    limits.pMin = 0.999*fluid_.p();
+    limits.pMax = 1.001*fluid_.p();
+    model_ = orRefuse
+    (
+        dict_,
+        "TRange",
+        [&]
+        {
+            return
+                tabulatedFluid(fluid_.x(), fluid_.ph(), limits, asked);
+        }
+    );
+}
+
+
+const Foam::volScalarField* Foam::titan::fluidField::temperature() const
+{
+    const volScalarField* T = mesh_.findObject<volScalarField>(TName_);
+
+    // A function object that solves for it makes it after the flow is read
+    if (!T && mesh_.time().timeIndex() > mesh_.time().startTimeIndex())
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Entry evaluation is " << evaluationTypeNames[evaluation_]
+            << ", but there is no temperature field " << TName_ << nl
+            << "Expected: a case with this field, its name in entry TField,"
+            << " or evaluation constant." << exit(FatalIOError);
+    }
+    return T;
+}
+
+
+void Foam::titan::fluidField::evaluate
+(
+    const property q,
+    const scalarField& T,
+    scalarField& result
+) const
+{
+    const scalarField p(T.size(), fluid_.p());
+    orRefuse
+    (
+        dict_,
+        "evaluation",
+        [&]
+        {
+            model_->evaluate
+            (
+                q,
+                T.size(),
+                T.cdata(),
+                p.cdata(),
+                result.data()
+            );
+        }
+    );
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::titan::fluidField::fluidField
+(
+    const dictionary& dict,
+    const fvMesh& mesh,
+    const std::vector<property>& asked
+)
+:
+    dict_(dict),
+    mesh_(mesh),
+    fluid_(dict),
+    evaluation_
+    (
+        evaluationTypeNames.lookupOrDefault
+        (
+            "evaluation",
+            dict,
+            evaluationType::constant
+        )
+    ),
+    TName_(dict.lookupOrDefault<word>("TField", "T"))
+{
+    makeModel(asked);
+}
+
+
+Foam::wordHashSet Foam::titan::fluidField::keywords()
+{
+    return
+        fluidSelection::keywords
+      | wordHashSet({"evaluation", "TField", "TRange"});
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::titan::fluidField::evaluate
+(
+    const property q,
+    const scalar factor,
+    volScalarField& result
+) const
+{
+    const volScalarField* T = uniform() ? nullptr : temperature();
+    if (!T)
+    {
+        result == dimensionedScalar
+        (
+            propertyName(q),
+            result.dimensions(),
+            factor*fluid_.value(q, dict_)
+        );
+        return;
+    }
+
+    scalarField& cells = result.primitiveFieldRef();
+    evaluate(q, T->primitiveField(), cells);
+    cells *= factor;
+
+    forAll(result.boundaryField(), patchi)
+    {
+        scalarField values(T->boundaryField()[patchi].size());
+        evaluate(q, T->boundaryField()[patchi], values);
+        result.boundaryFieldRef()[patchi] == factor*values;
+    }
+}
+
+
+void Foam::titan::fluidField::print
+(
+    Ostream& os,
+    const std::vector<property>& printed
+) const
+{
+    fluid_.print(os, printed);
+    if (!uniform())
+    {
+        os  << "    Follows the temperature field " << TName_ << ", "
+            << model_->type() << nl << flush;
+    }
+}
+
+
+void Foam::titan::fluidField::printInFull
+(
+    Ostream& os,
+    const std::vector<std::pair<const char*, scalar>>& namesAndValues
+)
+{
+    const int precision = os.precision(17);
+    os  << "    In full:";
+    for (const auto& nameAndValue : namesAndValues)
+    {
+        os  << ' ' << nameAndValue.first << ' ' << nameAndValue.second << ';';
+    }
+    os  << endl;
+    os.precision(precision);
+}
+
+// ************************************************************************* //
