@@ -631,16 +631,8 @@ double Foam::titan::helmholtzMixture::isotherm::molarDensity(double p, phase ph,
 }
 
 
-Foam::titan::fluidState Foam::titan::helmholtzMixture::isotherm::stateAtDensity(double molarDensity) const
+Foam::titan::fluidState Foam::titan::helmholtzMixture::isotherm::stateAtRoot(double molarDensity) const
 {
-    if (!(molarDensity > 0) || !std::isfinite(molarDensity))
-    {
-        throw thermoError
-        (
-            std::isnan(molarDensity) ? thermoError::reason::notANumber : thermoError::reason::badEntry,
-            text("molar density is %.6g mol/m3: expected more than 0", molarDensity)
-        );
-    }
     const helmholtzMixture& m = mixture_;
     const double delta = molarDensity/m.rhor_;
     const residual r = evaluate(molarDensity);
@@ -705,9 +697,43 @@ Foam::titan::fluidState Foam::titan::helmholtzMixture::isotherm::stateAtDensity(
 }
 
 
+Foam::titan::fluidState Foam::titan::helmholtzMixture::isotherm::stateAtDensity(double molarDensity) const
+{
+    if (!(molarDensity > 0) || !std::isfinite(molarDensity))
+    {
+        throw thermoError
+        (
+            std::isnan(molarDensity) ? thermoError::reason::notANumber : thermoError::reason::badEntry,
+            text("molar density is %.6g mol/m3: expected more than 0", molarDensity)
+        );
+    }
+
+    // Between the branches the equations have further densities at which the pressure rises: none is a state
+    double p, slope;
+    pressure(molarDensity, p, slope);
+    for (const phase ph : {phase::liquid, phase::gas})
+    {
+        try
+        {
+            if (std::abs(this->molarDensity(p, ph)/molarDensity - 1) < newtonTolerance)
+            {
+                return stateAtRoot(molarDensity);
+            }
+        }
+        catch (const thermoError&)
+        {}
+    }
+    throw thermoError
+    (
+        thermoError::reason::noSuchPhase,
+        text("at %.6g K and %.6g mol/m3 ", T_, molarDensity) + mixture_.x_.name() + " is neither liquid nor gas"
+    );
+}
+
+
 Foam::titan::fluidState Foam::titan::helmholtzMixture::isotherm::state(double p, phase ph, double guess) const
 {
-    fluidState s = stateAtDensity(molarDensity(p, ph, guess));
+    fluidState s = stateAtRoot(molarDensity(p, ph, guess));
     s.p = p;
     return s;
 }
