@@ -10,11 +10,8 @@ not represent the tip of the tail). Writes result.csv.
 
 from __future__ import annotations
 
-import csv
-import subprocess
 import sys
 import time
-from datetime import date
 from pathlib import Path
 from typing import Callable
 
@@ -23,11 +20,12 @@ import numpy as np
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 sys.dont_write_bytecode = True
-sys.path.insert(0, str(ROOT / "applications" / "utilities" / "plungeCase"))
+sys.path[:0] = [str(ROOT / "applications" / "utilities" / "plungeCase"), str(HERE.parent)]
 
 import bodyMesh  # noqa: E402
 import diveParameters  # noqa: E402
 from bodyGeometry import Body  # noqa: E402
+from resultTable import Row, show, write  # noqa: E402
 
 SPEED = 25.0          # m/s
 INCIDENCES = (0, 5, 15)  # deg, of uniform flow
@@ -95,8 +93,6 @@ def uniform_flow(incidence: float) -> Flow:
 
 def main() -> None:
     start = time.process_time()
-    version = subprocess.run(["git", "-C", str(ROOT), "describe", "--always"],
-                             capture_output=True, text=True, check=True).stdout.strip()
     rows = []
     case = ROOT / "cases" / "gannetPlunge"
     for tier, resolution in (("fast", 1), ("fast", 2), ("standard", 1)):
@@ -111,7 +107,7 @@ def main() -> None:
         flows[FORE_BODY] = potential_flow(body)
         name = f"{tier} resolution {resolution}"
         for kind, mesh in meshes.items():
-            rows.append([f"{name}: cells, {kind}", len(mesh.hexahedra), "1", "", "", ""])
+            rows.append(Row(f"{name}: cells, {kind}", str(len(mesh.hexahedra)), "1"))
         for flow, velocity in flows.items():
             step = {}
             for kind, mesh in meshes.items():
@@ -119,20 +115,19 @@ def main() -> None:
                 if flow == FORE_BODY:
                     rate = rate[mesh.nodes[mesh.hexahedra].mean(axis=1)[:, 0] < body.length / 2]
                 step[kind] = 1e6 / rate.max()
-                rows.append([f"{name}: time step at Co 1, flow {flow}, {kind}", f"{step[kind]:.4g}", "us", "", "", ""])
+                rows.append(Row(f"{name}: time step at Co 1, flow {flow}, {kind}", step[kind], "us"))
             gain = step["butterfly"] / step["collapsed"]
             asserted = flow.startswith("uniform") and flow != "uniform at 0 deg"
-            rows.append([f"{name}: time step gained, flow {flow}", f"{gain:.3g}", "1",
-                         f"at least {LEAST_GAIN:g}" if asserted else "", "0" if asserted else "",
-                         ("yes" if gain >= LEAST_GAIN else "no") if asserted else ""])
+            gained = Row(f"{name}: time step gained, flow {flow}", f"{gain:.3g}", "1")
+            if asserted:
+                gained = gained._replace(reference=f"at least {LEAST_GAIN:g}", tolerance=0,
+                                         holds="yes" if gain >= LEAST_GAIN else "no")
+            rows.append(gained)
 
     seconds = f"{time.process_time() - start:.1f}"
-    with open(HERE / "result.csv", "w", newline="") as file:
-        out = csv.writer(file, lineterminator="\n")
-        out.writerow("quantity value unit reference tolerance holds cpu_s version date".split())
-        out.writerows(row + [seconds, version, date.today().isoformat()] for row in rows)
-    for row in rows:
-        print(*row[:3], *row[5:])
+    rows = [row._replace(cpu_s=seconds) for row in rows]
+    write(HERE / "result.csv", rows)
+    show(rows)
 
 
 if __name__ == "__main__":

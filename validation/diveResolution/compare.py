@@ -7,17 +7,16 @@ not a factor of two apart, the change that a doubling would make is estimated fr
 the time scheme and of the interface: (1 - 1/2)/(1 - 1/ratio) times the change between them. An estimate says so.
 """
 import argparse
-import csv
 import re
-import subprocess
 import sys
-from datetime import date
 from itertools import combinations
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parents[1] / "applications/utilities/plungePost"))
+sys.path.insert(0, str(HERE.parent))
 from plungeResults import CaseError, cell_count, entry, read_numbers  # noqa: E402
+from resultTable import Row, judge, show, write  # noqa: E402
 
 JUDGED = "velocity lost at full immersion"
 REPORTED = (JUDGED, "peak deceleration", "full immersion time", "pitch change at full immersion",
@@ -36,8 +35,6 @@ def main() -> int:
     parser.add_argument("runs", type=Path, nargs="+", help="run directories of cases/gannetPlunge, finished")
     arguments = parser.parse_args()
 
-    version = subprocess.run(["git", "describe", "--always", "--dirty"], cwd=HERE, check=True, capture_output=True,
-                             text=True).stdout.strip()
     rows = []
     try:
         dives = sorted((float(entry(run, "system/plungeGenerated", "resolution")), run) for run in arguments.runs)
@@ -45,8 +42,8 @@ def main() -> int:
         for resolution, run in dives:
             numbers = found[resolution] = read_numbers(run / "results/summary.csv")
             cpu = f"{cpu_seconds(run):.0f}"
-            rows.append([f"resolution {resolution:g}: cells", cell_count(run), "1", "", "", "", cpu])
-            rows += [[f"resolution {resolution:g}: {name}", f"{numbers[name][0]:.5g}", numbers[name][1], "", "", "", cpu]
+            rows.append(Row(f"resolution {resolution:g}: cells", str(cell_count(run)), "1", cpu_s=cpu))
+            rows += [Row(f"resolution {resolution:g}: {name}", f"{numbers[name][0]:.5g}", numbers[name][1], cpu_s=cpu)
                      for name in REPORTED]
     except CaseError as error:
         print(f"compare.py: {error}", file=sys.stderr)
@@ -58,15 +55,10 @@ def main() -> int:
         if estimated:
             change *= 0.5 / (1 - coarse / fine)
         how = f"estimated from {coarse:g} and {fine:g}" if estimated else f"from {coarse:g} to {fine:g}"
-        rows.append([f"change of {JUDGED} by doubling, {how}", f"{change:.2f}", "%", "0", f"{ALLOWED_CHANGE:g}",
-                     "yes" if abs(change) < ALLOWED_CHANGE else "no", ""])
+        rows.append(judge(f"change of {JUDGED} by doubling, {how}", change, "%", 0, ALLOWED_CHANGE))
 
-    with (HERE / "result.csv").open("w", newline="") as file:
-        out = csv.writer(file, lineterminator="\n")
-        out.writerow("quantity value unit reference tolerance holds cpu_s version date".split())
-        out.writerows(row + [version, date.today().isoformat()] for row in rows)
-    for row in rows:
-        print(*row[:3], row[5] and f"holds: {row[5]}")
+    write(HERE / "result.csv", rows)
+    show(rows)
     return 0
 
 

@@ -6,15 +6,15 @@ Run directories hold ascii fields, a `forces` function object named bodyForces (
 `postProcess -func writeCellVolumes`, and the solver's output in log.solver.
 """
 import argparse
-import csv
-import datetime
 import re
-import subprocess
 import sys
 from pathlib import Path
 from typing import Dict, List, NamedTuple, Optional, Sequence, Tuple
 
 import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+from resultTable import Row, show, write  # noqa: E402
 
 PHASE = "alpha.water"
 HOLE = 2                # in the field cellTypes of an overset mesh
@@ -152,31 +152,17 @@ def cpuPerStep(runs: Sequence[Path]) -> float:
     return min(mean(readLog(run / "log.solver")) for run in runs)
 
 
-class Row(NamedTuple):
-    """A judged figure."""
-    quantity: str
-    value: float
-    unit: str
-    reference: float
-    tolerance: float
-    holds: str
-    cpu_seconds: float
-    version: str
-    date: str
-
-
-def rows(name: str, runs: Sequence[Path], references: Sequence[Path], version: str) -> List[Row]:
+def rows(name: str, runs: Sequence[Path], references: Sequence[Path]) -> List[Row]:
     """All figures of one case, from repeated runs of plungeFoam and of the stock solver."""
     run, reference = runs[0], references[0]
     cpu = readLog(run / "log.solver")[-1].cpu
-    date = datetime.date.today().isoformat()
     compared = times(reference)
     if not compared or compared != times(run):
         raise ComparisonError(f"{run}: times {times(run)}: expected those of {reference}, {compared}")
 
     def row(quantity: str, value: float, unit: str, expected: float, tolerance: float) -> Row:
         holds = "yes" if value <= expected + tolerance else "no"
-        return Row(f"{name} to {compared[-1]} s: {quantity}", value, unit, expected, tolerance, holds, cpu, version, date)
+        return Row(f"{name} to {compared[-1]} s: {quantity}", value, unit, expected, tolerance, holds, cpu)
 
     differences = [interfaceDifference(run, reference, time) for time in compared]
     found = [row("volume between the interfaces, largest of the run", 100*max(differences), "% of liquid volume", 0, 1),
@@ -192,12 +178,6 @@ def rows(name: str, runs: Sequence[Path], references: Sequence[Path], version: s
     return found
 
 
-def softwareVersion() -> str:
-    """git's name of what was run."""
-    return subprocess.run(["git", "describe", "--always", "--dirty"], cwd=Path(__file__).parent, check=True,
-                          capture_output=True, text=True).stdout.strip()
-
-
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("directory", type=Path, help="holds <case>/plungeFoam.* and <case>/stock.*, the runs")
@@ -205,28 +185,19 @@ def main() -> int:
     parser.add_argument("-result", type=Path, default=Path("result.csv"), help="table to write (default: %(default)s)")
     arguments = parser.parse_args()
 
-    # Cases that were not run again keep their rows.
     table: List[Row] = []
-    if arguments.result.exists():
-        with arguments.result.open(newline="") as file:
-            table = [Row(**row) for row in csv.DictReader(file) if row["quantity"].split()[0] not in arguments.cases]
-    kept = len(table)
     for case in arguments.cases:
         found: Dict[str, List[Path]] = {}
         for solver in ("plungeFoam", "stock"):
             found[solver] = sorted(log.parent for log in (arguments.directory / case).glob(f"{solver}.*/**/log.solver"))
             if not found[solver]:
                 raise ComparisonError(f"{arguments.directory / case}: expected {solver}.*/log.solver")
-        table += rows(case, found["plungeFoam"], found["stock"], softwareVersion())
+        table += rows(case, found["plungeFoam"], found["stock"])
 
-    with arguments.result.open("w", newline="") as file:
-        writer = csv.writer(file)
-        writer.writerow(Row._fields)
-        for row in table:
-            writer.writerow([f"{field:.4g}" if isinstance(field, float) else field for field in row])
-    for row in table[kept:]:
-        print(f"{row.quantity:70s} {row.value:11.4g} {row.unit:20s} expected {row.reference:g} + {row.tolerance:g}: {row.holds}")
-    return 0 if all(row.holds == "yes" for row in table[kept:]) else 1
+    # Cases that were not run again keep their rows.
+    write(arguments.result, table, keep=lambda quantity: quantity.split()[0] not in arguments.cases)
+    show(table)
+    return 0 if all(row.holds == "yes" for row in table) else 1
 
 
 if __name__ == "__main__":
