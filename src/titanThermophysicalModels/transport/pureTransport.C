@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pureTransport.H"
-#include "phaseEquilibrium.H"
 #include "pureFluids.H"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -371,16 +371,15 @@ Foam::titan::pureTransport::frictionTheory::frictionTheory(double T)
 }
 
 
-double Foam::titan::pureTransport::methaneFriction(double molarDensity) const
+double Foam::titan::pureTransport::methaneFriction(const fluidState& s) const
 {
-    const fluidState s = isotherm_.stateAtDensity(molarDensity);
     constexpr double bar = 1e5;
     const double repulsive = T_*s.expansivity*s.isothermalBulkModulus/bar;
     const double attractive = s.p/bar - repulsive;
-    const double ideal = molarDensity*pureFluidOf(CH4).R*T_/bar;
+    const double ideal = s.molarDensity*pureFluidOf(CH4).R*T_/bar;
     const double residual = repulsive - ideal;
 
-    const frictionTheory k(T_);
+    const frictionTheory& k = friction_;
     return
         k.a*attractive + k.r*residual + k.i*ideal
       + k.aa*sqr(attractive) + k.rr*sqr(residual) + k.ii*sqr(ideal);
@@ -401,43 +400,49 @@ double Foam::titan::pureTransport::ethaneNearCritical(double molarDensity) const
 }
 
 
-double Foam::titan::pureTransport::propaneFreeVolume(double molarDensity) const
+Foam::titan::pureTransport::freeVolume::freeVolume(double T)
 {
-    // The liquid has lost nine tenths of its free volume: beyond, the correlation is its own pole
-    constexpr double densest = 0.98;
-
-    const double reducedT = T_/263.88;
+    // Rainwater and Friend
+    const double reducedT = T/263.88;
     const double root = std::sqrt(reducedT);
     const double fourth = std::sqrt(root);
-
-    // Second viscosity virial coefficient of Rainwater and Friend
-    const double virial =
+    virial =
         avogadro*std::pow(4.9748e-10, 3)
        *(
           - 19.572881 + 219.73999/fourth - 1015.3226/root + 2471.01251/(root*fourth) - 3375.1717/reducedT
           + 2491.6597/(reducedT*fourth) - 787.26086/(reducedT*root)
-          + 14.085455/(reducedT*reducedT*root) - 0.34664158*std::pow(reducedT, -5.5)
+          + 14.085455/(sqr(reducedT)*root) - 0.34664158*std::pow(reducedT, -5.5)
         );
+    closePacked = 2.50053938863 + 2.1517543007382995*std::sqrt(T/C3H8Tc);
+}
+
+
+double Foam::titan::pureTransport::propaneFreeVolume(double molarDensity) const
+{
+    // Of close packing: the liquid under its vapour comes so close to the pole at 73 K, six times as viscous as at its
+    // triple point, and meets it at 67 K
+    constexpr double densest = 0.98;
 
     const double delta = molarDensity/C3H8Density;
-    const double closePacked = 2.50053938863 + 2.1517543007382995*std::sqrt(T_/C3H8Tc);
+    const double closePacked = freeVolume_.closePacked;
     if (delta > densest*closePacked)
     {
         refuse
         (
             thermoError::reason::temperatureRange,
-            "temperature T is %.6g K: too low for the viscosity of %s",
+            "temperature T is %.6g K: too low for the viscosity of %s, whose correlation ends at about 73 K, and higher"
+            " under pressure",
             T_,
             C3H8
         );
     }
     return
-        dilutedViscosity_*virial*molarDensity
+        dilutedViscosity_*freeVolume_.virial*molarDensity
       + 0.00161688405374*delta*(1/(closePacked - delta) - 1/closePacked);
 }
 
 
-double Foam::titan::pureTransport::nitrogenEnhancement(double molarDensity) const
+double Foam::titan::pureTransport::nitrogenEnhancement(const fluidState& s) const
 {
     // Lemmon and Jacobsen 2004, eqs. 7-10
     constexpr double referenceT = 252.384;
@@ -448,13 +453,13 @@ double Foam::titan::pureTransport::nitrogenEnhancement(double molarDensity) cons
     constexpr double R0 = 1.01;
     static const helmholtzMixture::isotherm reference(pureEquation(N2), referenceT, false);
 
-    double p, slope, referenceSlope;
-    isotherm_.pressure(molarDensity, p, slope);
-    reference.pressure(molarDensity, p, referenceSlope);
+    double p, referenceSlope;
+    reference.pressure(s.molarDensity, p, referenceSlope);
+    const double slope = s.isothermalBulkModulus/s.molarDensity;
 
     const pureFluid& fluid = pureFluidOf(N2);
     const double susceptibility =
-        fluid.pc*molarDensity/sqr(fluid.rhoc)*(1/slope - referenceT/(T_*referenceSlope));
+        fluid.pc*s.molarDensity/sqr(fluid.rhoc)*(1/slope - referenceT/(T_*referenceSlope));
     if (!(susceptibility > 0))
     {
         return 0;
@@ -462,48 +467,65 @@ double Foam::titan::pureTransport::nitrogenEnhancement(double molarDensity) cons
     const double xi = xi0*std::pow(susceptibility/Gamma, exponent);
     const double y = qD*xi;
 
-    const fluidState s = isotherm_.stateAtDensity(molarDensity);
     const double ratio = s.cv/s.cp;
     const double Omega = (1 - ratio)*std::atan(y) + ratio*y;
-    const double Omega0 = 1 - std::exp(-1/(1/y + sqr(y*fluid.rhoc/molarDensity)/3));
+    const double Omega0 = 1 - std::exp(-1/(1/y + sqr(y*fluid.rhoc/s.molarDensity)/3));
 
-    return s.density*s.cp*R0*boltzmann*T_/(6*pi*viscosity(molarDensity)*xi)*2/pi*(Omega - Omega0);
+    return s.density*s.cp*R0*boltzmann*T_/(6*pi*viscosity(s)*xi)*2/pi*(Omega - Omega0);
 }
 
 
-double Foam::titan::pureTransport::methaneEnhancement(double molarDensity) const
+double Foam::titan::pureTransport::methaneQuadratic(double molarDensity) const
 {
-    // Friend et al. 1989, eqs. 19a and 17
-    static const double r[] = {1, 1, 2, 2, 2, 3, 3, 4, 4, 1, 1};
-    static const double t[] = {0, 1, 0, 1, 1.5, 0, 2, 0, 1, 0, 1};
-    static const double g[] =
-    {
-        0.41250137, -0.14390912, 0.10366993, 0.40287464, -0.24903524,
-        -0.12953131, 0.06575776, 0.02566628, -0.03716526, -0.38798341, 0.03533815
-    };
-    const double tau = CH4FriendTc/T_;
-    const double delta = molarDensity/CH4FriendDensity;
+    // Friend et al. 1989, eq. 16: the divisor is 1 but for the vapour
+    const pureFluid& fluid = pureFluidOf(CH4);
+    const bool vapour = T_ < fluid.Tc && molarDensity < fluid.rhoc;
+    const double divisor = vapour ? saturated().vapourDensity/fluid.rhoc : 1;
+    return 6.29638e-3*1.5554612*sqr(molarDensity/CH4FriendDensity)/divisor;
+}
 
-    // Far from the critical point, as here, the enhancement is lost where its damping is
+
+double Foam::titan::pureTransport::methaneEnhancement(const fluidState& s) const
+{
+    // Friend et al. 1989, eqs. 17 and 19a
+    const double tau = CH4FriendTc/T_;
+    const double delta = s.molarDensity/CH4FriendDensity;
     const double fromTc = 1 - 1/tau;
     const double fromDensity = 1 - delta;
     const double damping =
         std::exp(-2.646*std::sqrt(std::abs(fromTc)) - 2.678*sqr(fromDensity) + 0.637*fromDensity);
 
     // Friend's own viscosity [uPa s], for this alone
-    double sums[2] = {0, 0};
-    for (int k = 0; k < 11; ++k)
-    {
-        sums[k > 8] += g[k]*std::pow(delta, r[k])*std::pow(tau, t[k]);
-    }
-    const double friction = 10.50*friendViscosity(T_/CH4FriendEnergy) + 12.149*sums[0]/(1 + sums[1]);
+    const double numerator =
+        delta
+       *(
+            0.41250137 - 0.14390912*tau
+          + delta
+           *(
+                0.10366993 + 0.40287464*tau - 0.24903524*tau*std::sqrt(tau)
+              + delta*(-0.12953131 + 0.06575776*sqr(tau) + delta*(0.02566628 - 0.03716526*tau))
+            )
+        );
+    const double denominator = 1 + delta*(-0.38798341 + 0.03533815*tau);
+    const double friction = 10.50*friendViscosity(T_/CH4FriendEnergy) + 12.149*numerator/denominator;
 
-    const fluidState s = isotherm_.stateAtDensity(molarDensity);
     const double RT = pureFluidOf(CH4).R*T_;
-    const double susceptibility = 0.28631*delta*tau*molarDensity*RT/s.isothermalBulkModulus;
-    const double slope = s.expansivity*s.isothermalBulkModulus*T_/(molarDensity*RT);
+    const double susceptibility = 0.28631*delta*tau*s.molarDensity*RT/s.isothermalBulkModulus;
+    const double slope = s.expansivity*s.isothermalBulkModulus*T_/(s.molarDensity*RT);
 
     return 91.855e-3/(friction*sqr(tau))*sqr(slope)*std::pow(susceptibility, 0.4681)*damping;
+}
+
+
+double Foam::titan::pureTransport::viscosityOfDensity(double molarDensity) const
+{
+    const double mu = dilutedViscosity_ + viscosity_(molarDensity);
+    switch (i_)
+    {
+        case C2H6: return mu + ethaneNearCritical(molarDensity);
+        case C3H8: return mu + propaneFreeVolume(molarDensity);
+        default:   return mu;
+    }
 }
 
 
@@ -529,7 +551,10 @@ Foam::titan::pureTransport::pureTransport(species i, double T)
     isotherm_(pureEquation(i), T, false),
     dilutedViscosity_(dilutedViscosityOf(i, T)),
     viscosity_(viscositySeries(i, T)),
-    conductivity_(conductivitySeries(i, T))
+    conductivity_(conductivitySeries(i, T)),
+    friction_(T),
+    freeVolume_(T),
+    saturated_{0, 0, 0}
 {
     dilutedConductivity_ = dilutedConductivity();
 }
@@ -537,45 +562,54 @@ Foam::titan::pureTransport::pureTransport(species i, double T)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+const Foam::titan::saturation& Foam::titan::pureTransport::saturated() const
+{
+    if (saturated_.p == 0)
+    {
+        saturated_ = pureSaturation(i_, T_);
+    }
+    return saturated_;
+}
+
+
+double Foam::titan::pureTransport::viscosity(const fluidState& s) const
+{
+    const double mu = viscosityOfDensity(s.molarDensity);
+    return i_ == CH4 ? mu + methaneFriction(s) : mu;
+}
+
+
 double Foam::titan::pureTransport::viscosity(double molarDensity) const
 {
     check(molarDensity);
-    double mu = dilutedViscosity_ + viscosity_(molarDensity);
-    if (molarDensity > 0)
+    if (i_ == CH4 && molarDensity > 0)
     {
-        switch (i_)
-        {
-            case CH4:  mu += methaneFriction(molarDensity);     break;
-            case C2H6: mu += ethaneNearCritical(molarDensity);  break;
-            case C3H8: mu += propaneFreeVolume(molarDensity);   break;
-            default:                                            break;
-        }
+        return viscosity(isotherm_.stateAtDensity(molarDensity));
     }
-    return mu;
+    return viscosityOfDensity(molarDensity);
+}
+
+
+double Foam::titan::pureTransport::conductivity(const fluidState& s) const
+{
+    const double k = dilutedConductivity_ + conductivity_(s.molarDensity);
+    switch (i_)
+    {
+        case N2:  return k + nitrogenEnhancement(s);
+        case CH4: return k + methaneQuadratic(s.molarDensity) + methaneEnhancement(s);
+        default:  return k;
+    }
 }
 
 
 double Foam::titan::pureTransport::conductivity(double molarDensity) const
 {
     check(molarDensity);
-    double k = dilutedConductivity_ + conductivity_(molarDensity);
-    if (molarDensity > 0)
+    if ((i_ == N2 || i_ == CH4) && molarDensity > 0)
     {
-        if (i_ == N2)
-        {
-            k += nitrogenEnhancement(molarDensity);
-        }
-        else if (i_ == CH4)
-        {
-            // Friend et al. 1989, eq. 16: the divisor is 1 but for the vapour
-            const pureFluid& fluid = pureFluidOf(CH4);
-            const bool vapour = T_ < fluid.Tc && molarDensity < fluid.rhoc;
-            const double divisor = vapour ? pureSaturation(CH4, T_).vapourDensity/fluid.rhoc : 1;
-            k += 6.29638e-3*1.5554612*sqr(molarDensity/CH4FriendDensity)/divisor;
-            k += methaneEnhancement(molarDensity);
-        }
+        return conductivity(isotherm_.stateAtDensity(molarDensity));
     }
-    return k;
+    return dilutedConductivity_ + conductivity_(molarDensity);
 }
 
 
