@@ -8,7 +8,7 @@ import subprocess
 import sys
 from pathlib import Path
 from types import ModuleType
-from typing import List
+from typing import Iterable, List
 
 from conftest import REPOSITORY
 
@@ -42,6 +42,17 @@ def run(*command: object, case: Path, log: str = "log.foam") -> subprocess.Compl
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     (case / log).write_text(done.stdout)
     return done
+
+
+def checkRefused(solver: str, case: Path, named: Iterable[str]) -> None:
+    """A case that is wrong: the solver stops before the first time step with a message that holds these words."""
+    done = run(solver, case=case, log="log.solver")
+    assert done.returncode != 0, f"{case.name}: {solver} ran"
+    assert not steps(done.stdout), f"{case.name}: stopped after a time step\n{done.stdout[-2000:]}"
+    assert "FOAM FATAL" in done.stdout, f"{case.name}: crashed without a message\n{done.stdout[-2000:]}"
+    message = done.stdout[done.stdout.index("FOAM FATAL"):]
+    missing = [word for word in named if word not in message]
+    assert not missing, f"{case.name}: {missing} not in\n{message[:3000]}"
 
 
 def setUp(tutorial: str, directory: Path, *options: object) -> Path:

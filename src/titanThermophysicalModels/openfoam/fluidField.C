@@ -161,7 +161,7 @@ Foam::wordHashSet Foam::titan::fluidField::keywords()
 void Foam::titan::fluidField::evaluate
 (
     const property q,
-    const scalar factor,
+    const scalar divisor,
     volScalarField& result
 ) const
 {
@@ -172,20 +172,20 @@ void Foam::titan::fluidField::evaluate
         (
             propertyName(q),
             result.dimensions(),
-            factor*fluid_.value(q, dict_)
+            fluid_.value(q, dict_)/divisor
         );
         return;
     }
 
     scalarField& cells = result.primitiveFieldRef();
     evaluate(q, T->primitiveField(), cells);
-    cells *= factor;
+    cells /= divisor;
 
     forAll(result.boundaryField(), patchi)
     {
         scalarField values(T->boundaryField()[patchi].size());
         evaluate(q, T->boundaryField()[patchi], values);
-        result.boundaryFieldRef()[patchi] == factor*values;
+        result.boundaryFieldRef()[patchi] == values/divisor;
     }
 }
 

@@ -3,6 +3,7 @@
 #include "fluidSelection.H"
 #include "phaseEquilibrium.H"
 
+#include "FlatOutput.H"
 #include "Switch.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -72,7 +73,7 @@ void Foam::titan::checkKeywords
         {
             FatalIOErrorInFunction(dict)
                 << "Unknown entry " << e.keyword() << nl
-                << "Expected: any of " << known.sortedToc()
+                << "Expected: any of " << flatOutput(known.sortedToc())
                 << exit(FatalIOError);
         }
     }
@@ -110,8 +111,8 @@ void Foam::titan::fluidSelection::selectNamed(const dictionary& dict)
     if (fluid.isConstant)
     {
         FatalIOErrorInFunction(dict)
-            << "Entry T or p: " << name << " is a set of constants that hold"
-            << " at " << fluid.T << " K and " << fluid.p << " Pa" << nl
+            << "Entries T and p are " << T << " K and " << p << " Pa, but "
+            << name << " is a set of constants that hold at " << fluid.T << " K and " << fluid.p << " Pa" << nl
             << "Expected: neither T nor p, or these values."
             << exit(FatalIOError);
     }
@@ -219,24 +220,13 @@ Foam::titan::fluidSelection::fluidSelection(const dictionary& dict)
     const bool named = dict.found("fluid");
     if (named == dict.found("composition"))
     {
+        const std::vector<std::string> names(namedFluid::names());
         FatalIOErrorInFunction(dict)
             << (named ? "Both" : "Neither")
             << " of the entries fluid and composition" << nl
-            << "Expected: fluid, the name of a lake or an air ("
-            << wordList
-               (
-                   orRefuse
-                   (
-                       dict,
-                       "fluid",
-                       []
-                       {
-                           const auto names(namedFluid::names());
-                           return wordList(names.begin(), names.end());
-                       }
-                   )
-               )
-            << "), or composition, with T and p." << exit(FatalIOError);
+            << "Expected: fluid, the name of a lake or an air "
+            << flatOutput(wordList(names.begin(), names.end()))
+            << ", or composition, with T and p." << exit(FatalIOError);
     }
 
     if (named)

@@ -4,6 +4,7 @@
 #include "fluidSelection.H"
 
 #include "Enum.H"
+#include "FlatOutput.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -87,7 +88,7 @@ reference readReference(const dictionary& dict)
             FatalIOErrorInFunction(dict)
                 << "Entry stiffness is fluid, but there is no fluid" << nl
                 << "Expected: entry fluid or composition, or another stiffness"
-                << " of " << stiffnessTypeNames.sortedToc()
+                << " of " << flatOutput(stiffnessTypeNames.sortedToc())
                 << exit(FatalIOError);
         }
     }

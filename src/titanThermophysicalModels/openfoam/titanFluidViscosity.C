@@ -101,7 +101,7 @@ void Foam::viscosityModels::titanFluid::update()
     fluid_->evaluate
     (
         property::viscosity,
-        1/viscosityProperties_.get<scalar>("rho"),
+        viscosityProperties_.get<scalar>("rho"),
         nu_
     );
 }
