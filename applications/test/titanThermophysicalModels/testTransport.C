@@ -313,7 +313,10 @@ TEST(mixtureTransport, takesDissolvedNitrogenAsSaturatedLiquid)
             s.p *= 0.9;
             expectRelative
             (
-                mixtureTransport(composition::pure(i), phase::liquid).viscosity(s), mu, 1e-9, std::to_string(T) + " K"
+                mixtureTransport(composition::pure(i), phase::liquid).viscosity(s),
+                mu,
+                1e-9,
+                std::to_string(T) + " K"
             );
         }
     }
