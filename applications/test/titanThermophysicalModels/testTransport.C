@@ -133,8 +133,8 @@ void expectRelative(double value, double reference, double tolerance, const std:
 
 TEST(pureTransport, agreesWithAnotherImplementation)
 {
-    // Half a unit of the seventh digit, which is 1 where it weighs most, and the vapour density of an ancillary equation
-    // in methane's gas
+    // Half a unit of the seventh digit, which is 1 where it weighs most, and the vapour density of an ancillary
+    // equation in methane's gas
     constexpr double digits = 1e-6;
 
     for (const pureRow& row : coolProp)
