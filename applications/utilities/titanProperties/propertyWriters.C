@@ -50,9 +50,10 @@ const char* const equationSources[] =
     "Density, sound speed, heat capacities: Kunz and Wagner 2012 (GERG-2008 mixing) over Span et al. 2000 (N2),"
     " Setzmann and Wagner 1991 (CH4), Buecker and Wagner 2006 (C2H6), Lemmon et al. 2009 (C3H8).",
     "Viscosity: Lemmon and Jacobsen 2004 (N2), Quinones-Cisneros and Deiters 2006 (CH4), Herrmann et al. 2018 (C2H6),"
-    " Vogel et al. 1998 (C3H8); liquids mixed by Grunberg and Nissan 1949, gases by Wilke 1950.",
+    " Vogel et al. 1998 (C3H8); liquids mixed by Grunberg and Nissan 1949 with constants from the table of"
+    " Steckloff et al. 2020, gases by Wilke 1950.",
     "Thermal conductivity: Lemmon and Jacobsen 2004 (N2), Friend et al. 1989 (CH4), Friend et al. 1991 (C2H6),"
-    " Marsh et al. 2002 (C3H8).",
+    " Marsh et al. 2002 (C3H8); liquids mixed by Li 1976, gases by Mason and Saxena 1958.",
     "Surface tension: Mulero et al. 2012, mixed by Weinaug and Katz 1943."
 };
 
