@@ -68,6 +68,9 @@ Foam::titan::mixtureTransport::component::component(species i, double T)
 
 void Foam::titan::mixtureTransport::component::setLiquid(double p)
 {
+    const double pSaturated = p < vapourPressureLimit(fluid_.fluid(), fluid_.T()) ? fluid_.saturated().p : 0;
+    tension_ = std::min(p - pSaturated, 0.0);
+    p = std::max(p, pSaturated);
     if (p != state_.p)
     {
         setState(fluid_.isotherm().state(p, phase::liquid, state_.molarDensity));
@@ -92,23 +95,38 @@ void Foam::titan::mixtureTransport::component::setState(const fluidState& s)
 }
 
 
+template<class Property>
+double Foam::titan::mixtureTransport::component::extended(double& value, double& slope, const Property& of)
+{
+    // Over this step the logarithms are straight to 1e-4 of their change
+    constexpr double step = 1e5;
+
+    if (value == 0)
+    {
+        value = of(state_);
+    }
+    if (tension_ == 0)
+    {
+        return value;
+    }
+    if (slope == 0)
+    {
+        const fluidState above = fluid_.isotherm().state(state_.p + step, phase::liquid, state_.molarDensity);
+        slope = std::log(of(above)/value)/step;
+    }
+    return value*std::exp(slope*tension_);
+}
+
+
 double Foam::titan::mixtureTransport::component::viscosity()
 {
-    if (viscosity_ == 0)
-    {
-        viscosity_ = fluid_.viscosity(state_);
-    }
-    return viscosity_;
+    return extended(viscosity_, viscositySlope_, [this](const fluidState& s){return fluid_.viscosity(s);});
 }
 
 
 double Foam::titan::mixtureTransport::component::conductivity()
 {
-    if (conductivity_ == 0)
-    {
-        conductivity_ = fluid_.conductivity(state_);
-    }
-    return conductivity_;
+    return extended(conductivity_, conductivitySlope_, [this](const fluidState& s){return fluid_.conductivity(s);});
 }
 
 
@@ -142,7 +160,7 @@ Foam::titan::mixtureTransport::component& Foam::titan::mixtureTransport::at(int 
 Foam::titan::mixtureTransport::component& Foam::titan::mixtureTransport::liquid(int i, double p) const
 {
     component& c = at(i);
-    c.setLiquid(p < vapourPressureLimit(i, T_) ? std::max(p, c.fluid().saturated().p) : p);
+    c.setLiquid(p);
     return c;
 }
 
