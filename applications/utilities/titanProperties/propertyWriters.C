@@ -112,7 +112,7 @@ void writeSources(std::ostream& os, const subject& about)
     os << "\nSources\n";
     if (!about.source.empty())
     {
-        writeWrapped(os, "    ", about.source);
+        writeWrapped(os, "    ", about.source + ".");
     }
     if (!about.isConstant)
     {

@@ -33,6 +33,7 @@ Description
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
+#include <iomanip>
 #include <iostream>
 #include <limits>
 #include <sstream>
@@ -268,14 +269,21 @@ void checkFormat(const std::string& format, const std::string& asked)
 
 void writeList(std::ostream& os, const std::string& format)
 {
-    if (format == "csv")
+    using titan::property;
+
+    const bool csv = format == "csv";
+    if (csv)
     {
         os << "name," << joined(stateColumns, ",") << ",description\n";
+    }
+    else
+    {
+        os  << "name           phase     T [K]   p [Pa]  density [kg/m3]  viscosity [uPa s]\n";
     }
     for (const std::string& name : titan::namedFluid::names())
     {
         const titan::namedFluid fluid = titan::namedFluid::lookup(name);
-        if (format == "csv")
+        if (csv)
         {
             os << csvCell(name) << ',';
             for (const double fraction : fluid.x.x())
@@ -287,10 +295,12 @@ void writeList(std::ostream& os, const std::string& format)
         }
         else
         {
-            os  << name << '\n'
-                << "    " << fluid.description << '\n'
-                << "    " << titan::phaseName(fluid.ph) << " at " << written(fluid.T, 7) << " K and "
-                << written(fluid.p, 7) << " Pa: " << (fluid.isConstant ? "constants" : fluid.x.name()) << '\n';
+            os  << std::left << std::setw(15) << name << std::setw(8) << titan::phaseName(fluid.ph) << std::right
+                << std::setw(7) << written(fluid.T, 5) << std::setw(9) << written(fluid.p, 7)
+                << std::setw(17) << written(fluid.properties[property::density], 5)
+                << std::setw(19) << written(1e6*fluid.properties[property::viscosity], 4)
+                << "\n    " << fluid.description << ": "
+                << (fluid.isConstant ? "constants" : fluid.x.name()) << '\n';
         }
     }
 }
@@ -395,7 +405,7 @@ std::vector<propertyState> namedStates(const argList& args, const std::string& n
     {
         refuse("-resaturate: " + name + " is a gas: expected a lake");
     }
-    about.description += ", saturated anew with nitrogen";
+    about.description += ", anew at each T and p";
     return saturatedStates(fluid.x.x(), at, withWarnings);
 }
 
