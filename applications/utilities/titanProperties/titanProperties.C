@@ -299,8 +299,7 @@ void writeList(std::ostream& os, const std::string& format)
                 << std::setw(7) << written(fluid.T, 5) << std::setw(9) << written(fluid.p, 7)
                 << std::setw(17) << written(fluid.properties[property::density], 5)
                 << std::setw(19) << written(1e6*fluid.properties[property::viscosity], 4)
-                << "\n    " << fluid.description << ": "
-                << (fluid.isConstant ? "constants" : fluid.x.name()) << '\n';
+                << "\n    " << fluid.description << (fluid.isConstant ? "" : ": " + fluid.x.name()) << '\n';
         }
     }
 }
