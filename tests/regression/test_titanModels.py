@@ -199,7 +199,7 @@ def test_soundSpeed(law: str, coefficients: str, energy: str, thermo: str, tmp_p
     for choice, speed in expected.items():
         assert choice not in coefficients or c0 == pytest.approx(speed, rel=1e-5)
     if "stiffness" not in coefficients:
-        ofFluid = float(re.search(r"Reference: .*sound speed (\S+) ", output).group(1))
+        ofFluid = float(re.search(r"Reference: .*soundSpeed (\S+) ", output).group(1))
         assert (c0 < 0.9*ofFluid) if "isothermal" in coefficients else c0 == pytest.approx(ofFluid, rel=1e-5)
 
     nSteps = 200
@@ -275,7 +275,7 @@ def test_badInput(name: str, restingCase: Path) -> None:
 
 
 @pytest.mark.parametrize("sigma, named", [
-    ("{ type titanFluid; fluid titanAir; }", ("transportProperties.sigma", "surface tension", "titanAir", "gas")),
+    ("{ type titanFluid; fluid titanAir; }", ("transportProperties.sigma", "surfaceTension", "titanAir", "gas")),
     ("{ type titanFluid; fluid Kraken; sigma 0.07; }", ("transportProperties.sigma", "sigma", "Expected")),
 ])
 def test_badSurfaceTension(sigma: str, named: Tuple[str, ...], restingCase: Path) -> None:

@@ -16,6 +16,17 @@ Foam::titan::fluidField::evaluationTypeNames
 });
 
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Relative, of the tabulated properties
+constexpr Foam::scalar tableError = 1e-6;
+
+} // End anonymous namespace
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::titan::fluidField::makeModel(const std::vector<property>& asked)
@@ -58,12 +69,11 @@ void Foam::titan::fluidField::makeModel(const std::vector<property>& asked)
             << fluid_.T() << " K." << exit(FatalIOError);
     }
 
-    // Only the temperature varies
-    tableLimits limits;
-    limits.Tmin = T.first();
-    limits.Tmax = T.second();
-    limits.pMin = 0.999*fluid_.p();
-    limits.pMax = 1.001*fluid_.p();
+    // Only the temperature varies, but a table is of two dimensions
+    const tableLimits limits
+    {
+        T.first(), T.second(), 0.99*fluid_.p(), 1.01*fluid_.p(), tableError
+    };
     model_ = orRefuse
     (
         dict_,
