@@ -110,10 +110,10 @@ def test_batch_agrees_with_TITANPOOL():
 
 
 def test_columns_in_any_order_further_columns_quotes_and_line_ends():
-    text = ('\ufefflabel,T_K, p_Pa ,phase,x_C3H8,x_C2H6,x_CH4,x_N2\r\n'
-            '"a lake, so ""called""\nKraken",94,146700,liquid,0,"0.70",0.25,0.05\r\n'
+    text = ('\ufeffT_K,label, p_Pa ,phase,x_C3H8,x_C2H6,x_CH4,x_N2\r\n'
+            '94,"a lake, so ""called""\nKraken",146700,liquid,0,"0.70",0.25,0.05\r\n'
             '\r\n   \r\n'
-            'plain,94,146700,liquid,0,0.70,0.25,0.05')
+            '94,plain,146700,liquid,0,0.70,0.25,0.05')
     first, second = batch(text)
     assert [first[name] for name in STATE] == LAKE.split(",")
     assert first == second
@@ -259,9 +259,9 @@ def name_of(column: str) -> str:
 
 
 def test_ranges_have_temperature_outside_and_both_ends():
-    found = rows(answer("-composition", "(C2H6 1)", "-T", "(91 92 0.1)", "-p", "( 1e5 3e5 1e5 )", "-format", "csv"))
-    assert [float(row["T_K"]) for row in found[::3]] == pytest.approx([91 + 0.1 * i for i in range(11)])
-    assert found[-1]["T_K"] == "92"
+    found = rows(answer("-composition", "(C2H6 1)", "-T", "(91 91.3 0.1)", "-p", "( 1e5 3e5 1e5 )", "-format", "csv"))
+    assert [float(row["T_K"]) for row in found[::3]] == pytest.approx([91 + 0.1 * i for i in range(4)])
+    assert found[-1]["T_K"] == "91.3"
     assert [row["p_Pa"] for row in found[:3]] == ["100000", "200000", "300000"]
     assert float(found[0]["density_kg_m3"]) > float(found[-1]["density_kg_m3"])
 
@@ -301,6 +301,8 @@ def test_resaturation_changes_the_composition():
     nitrogen = [float(row["x_N2"]) for row in found]
     assert nitrogen == sorted(nitrogen, reverse=True)
     assert nitrogen[0] > nitrogen[-1]
+    assert "x N2" in answer("Kraken", "-T", "(91 95 2)", "-resaturate")
+    assert "x N2" not in answer("Kraken", "-T", "(91 95 2)")
     ratio = [float(row["x_CH4"]) / float(row["x_C2H6"]) for row in found]
     assert ratio == pytest.approx([ratio[0]] * 3)
 
