@@ -146,6 +146,30 @@ def test_missing_entry_and_broken_syntax_are_named(case: Path) -> None:
     assert "plungeParameters, line" in plungeCase(case).stderr
 
 
+def test_fluids_are_those_of_titanProperties_unless_typed(case: Path) -> None:
+    fluids = diveParameters.read(case, {"fluids": "kraken"}).fluids
+    lake = diveParameters.fluid_properties("Kraken", 92, "here")
+    assert (fluids["liquidDensity"], fluids["liquidViscosity"], fluids["surfaceTension"]) == \
+        (lake["rho"], lake["mu"], lake["sigma"])
+    # A colder lake, under colder air, is denser
+    path = case / "constant/plungeFluids"
+    text = path.read_text()
+    path.write_text(text.replace("temperature         92;", "temperature         91;\n    gasDensity 5;", 1))
+    colder = diveParameters.read(case, {"fluids": "kraken"}).fluids
+    assert colder["liquidDensity"] > fluids["liquidDensity"] and colder["gasDensity"] == 5
+
+    for old, new, expected in (
+            ("surfaceTension      0.0311;", "",
+             "entry 'surfaceTension' is missing, and liquid astraeusPaper does not give it; expected a number, 0 or above"),
+            ("astraeusPaper;", "krakne;", "krakne"),
+            ("astraeusPaper;", "astraeusPaper;\n    liquidDensty 3;", "unknown entry 'liquidDensty'"),
+            ("titanAir;", "titanAir;\n    temperature 300;", "-T does not go with astraeusPaper")):
+        path.write_text(text.replace(old, new, 1))
+        refused = plungeCase(case, "-run", "run/refused")
+        assert refused.returncode != 0 and expected in refused.stderr and "plungeFluids, titan" in refused.stderr
+        assert not (case / "run").exists()
+
+
 def test_half_model_has_half_the_mass_and_the_path_the_angle(case: Path) -> None:
     values = {}
     for model in ("half", "full"):

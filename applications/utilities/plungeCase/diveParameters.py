@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import subprocess
 from dataclasses import dataclass, replace
 from math import ceil, cos, radians, sin
 from pathlib import Path
@@ -71,6 +72,17 @@ _FLUIDS: dict[str, Check] = {
     "gasSoundSpeed": _POSITIVE,
     "gravity": _number("a number, 0 or above", lambda v: v >= 0),
 }
+# Entries of plungeFluids that a fluid of titanProperties gives where they are not typed: whose fluid, and under which name
+_FROM_FLUID = {
+    "liquidDensity": ("liquid", "rho"),
+    "liquidViscosity": ("liquid", "mu"),
+    "gasDensity": ("gas", "rho"),
+    "gasViscosity": ("gas", "mu"),
+    "surfaceTension": ("liquid", "sigma"),
+    "liquidVapourPressure": ("liquid", "vapourPressure"),
+    "liquidSoundSpeed": ("liquid", "soundSpeed"),
+    "gasSoundSpeed": ("gas", "soundSpeed"),
+}
 _TIER: dict[str, Check] = {
     "capCells": _count(2),
     "ringCells": _count(1),
@@ -115,11 +127,48 @@ def _checked(entries: dict[str, Any], source: str, required: dict[str, Check],
     return entries
 
 
-def _choice(path: Path, name: Any, entry: str, source: str, required: dict[str, Check]) -> dict[str, Any]:
+def _choice(path: Path, name: Any, entry: str, source: str) -> tuple[dict[str, Any], str]:
+    """The sub-dictionary of a file that an entry chooses, and its name for messages."""
     table = foamDictionary.read(path)
     if not isinstance(table.get(name), dict):
         raise ParameterError(f"{source}: entry '{entry}' is {name}; expected one of {path}'s: {' '.join(table)}")
-    return _checked(table[name], f"{path}, {name}", required)
+    return table[name], f"{path}, {name}"
+
+
+def fluid_properties(name: str, temperature: float | None, source: str) -> dict[str, Any]:
+    """What titanProperties says of a fluid, by OpenFOAM's names (SI units), at its own or a given temperature [K]."""
+    command = ["titanProperties", name, "-format", "foam"]
+    if temperature is not None:
+        command += ["-T", f"{temperature:.12g}"]
+    try:
+        done = subprocess.run(command, capture_output=True, text=True)
+    except FileNotFoundError:
+        raise ParameterError("titanProperties is not on the PATH; expected ./Allwmake and . etc/bashrc before") from None
+    if done.returncode:
+        raise ParameterError(f"{source}: {done.stderr.strip()}")
+    return foamDictionary.parse(done.stdout, " ".join(command))
+
+
+def resolved_fluids(entries: dict[str, Any], source: str) -> dict[str, Any]:
+    """The numbers of a pair of fluids: those typed, and those of the fluids named by `liquid` and `gas`."""
+    given = dict(entries)
+    names = {role: given.pop(role, None) for role in ("liquid", "gas")}
+    temperature = given.pop("temperature", None)
+    if temperature is not None and not _POSITIVE[1](temperature):
+        raise ParameterError(f"{source}: entry 'temperature' is {temperature}; expected kelvins, above 0")
+    for role, name in names.items():
+        wanted = {entry: key for entry, (whose, key) in _FROM_FLUID.items() if whose == role and entry not in given}
+        if name is None or not wanted:
+            continue
+        if not isinstance(name, str):
+            raise ParameterError(f"{source}: entry '{role}' is {name}; expected a fluid of titanProperties -list")
+        known = fluid_properties(name, temperature, source)
+        given.update({entry: known[key] for entry, key in wanted.items() if key in known})
+        missing = [entry for entry, key in wanted.items() if key not in known]
+        if missing:
+            raise ParameterError(f"{source}: entry '{missing[0]}' is missing, and {role} {name} does not give it; "
+                                 f"expected {_FLUIDS[missing[0]][0]}")
+    return _checked(given, source, _FLUIDS)
 
 
 @dataclass(frozen=True)
@@ -151,8 +200,8 @@ def read(case: Path, overrides: dict[str, Any]) -> Dive:
                              "expected metres aft of the nose, at most body.length")
     return Dive(
         given,
-        _choice(case / "constant" / "plungeFluids", given["fluids"], "fluids", source, _FLUIDS),
-        _choice(case / "system" / "plungeTiers", given["tier"], "tier", source, _TIER),
+        resolved_fluids(*_choice(case / "constant" / "plungeFluids", given["fluids"], "fluids", source)),
+        _checked(*_choice(case / "system" / "plungeTiers", given["tier"], "tier", source), _TIER),
     )
 
 

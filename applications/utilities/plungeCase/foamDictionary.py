@@ -33,15 +33,19 @@ def _value(token: str) -> Any:
 def read(path: Path) -> dict[str, Any]:
     """Return the entries of a dictionary file; numbers become int or float, lists become Python lists."""
     try:
-        text = _strip_comments(path.read_text())
+        return parse(path.read_text(), str(path))
     except OSError as error:
         raise DictionaryError(f"{path}: cannot be read: {error.strerror}") from None
 
+
+def parse(text: str, source: str) -> dict[str, Any]:
+    """Return the entries of a dictionary's text, as `read` does; errors name the source."""
+    text = _strip_comments(text)
     tokens = [(m.group(), text.count("\n", 0, m.start()) + 1) for m in _TOKEN.finditer(text)]
     position = 0
 
     def fail(line: int, message: str) -> None:
-        raise DictionaryError(f"{path}, line {line}: {message}")
+        raise DictionaryError(f"{source}, line {line}: {message}")
 
     def parse_list(line: int) -> list[Any]:
         nonlocal position
