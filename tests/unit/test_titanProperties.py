@@ -333,6 +333,8 @@ def test_foam_is_read_by_OpenFOAM(tmp_path):
     assert float(entry("sigma")) == pytest.approx(float(lake["surface_tension_N_m"]), rel=six_digits)
     assert entry("gas.transportModel") == "Newtonian"
     assert 1 < float(entry("gas.rho")) < 10
+    assert float(entry("liquid.vapourPressure")) == pytest.approx(float(lake["p_Pa"]), rel=six_digits)
+    assert "vapourPressure" not in (tmp_path / "constant/air").read_text()
 
 
 # --- what is refused -----------------------------------------------------------

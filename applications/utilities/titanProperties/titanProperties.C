@@ -461,7 +461,11 @@ void writeStates(std::ostream& os, const argList& args, const std::string& asked
         {
             refuse("-bubble: " + asked + " is a gas: expected a liquid");
         }
-        if ((about.withBubblePoint || format == "foam") && state.hasComposition() && state.refusal.empty())
+        if
+        (
+            (about.withBubblePoint || format == "foam")
+         && state.ph == titan::phase::liquid && state.hasComposition() && state.refusal.empty()
+        )
         {
             state.findBubblePoint();
         }
