@@ -231,6 +231,96 @@ def test_depthCharge(tmp_path: Path) -> None:
     np.testing.assert_allclose(rho[liquid], rho0*(1 + (p[liquid] - AMBIENT)/k0)**(1/gamma), rtol=2e-4)
 
 
+# --- A stratified lake -----------------------------------------------------------
+
+LEVEL = 0.3
+
+STRATIFICATION = f"""
+stratification
+{{
+    surfaceLevel {LEVEL}; p 1.467e5;
+    layers
+    {{
+        surface {{ depth 0; T 93; composition {{ CH4 7; C2H6 3; saturated true; }} }}
+        middle  {{ depth 0.15; T 92.5; composition {{ CH4 6; C2H6 4; saturated true; }} }}
+        floor   {{ depth 0.3; T 92; composition {{ CH4 5; C2H6 5; saturated true; }} }}
+    }}
+}}"""
+
+
+def lake(directory: Path, solver: str, *options: object) -> Path:
+    """damBreak's box with a lake at rest in it."""
+    case = damBreak(directory, "-application", solver, *options)
+    transport(case, f"transportModel titanFluid; {STRATIFICATION}")
+    dictionary(case, "constant/fvOptions", "lakeStratification { type lakeStratification; phase water; }")
+    dictionary(case, "system/setFieldsDict", "defaultFieldValues (volScalarFieldValue alpha.water 0); regions (" +
+               region("boxToCell", f"box (-1 -1 -1) (1 {LEVEL} 1);", **{"alpha.water": 1}) + ");")
+    # On walls the pressure has to follow the force
+    pressure = (case / "0/p_rgh").read_text()
+    (case / "0/p_rgh").write_text(pressure.replace("fixedFluxPressure", "fixedFluxExtrapolatedPressure"))
+    foam("setFields", case=case)
+    foam("postProcess", "-func", "writeCellCentres", case=case)
+    return case
+
+
+@pytest.mark.parametrize("solver", ["interFoam", "plungeFoam"])
+def test_stratifiedLake(solver: str, tmp_path: Path) -> None:
+    """At rest: the pressure is that of the column above, the viscosity that of the depth, and the lake stays at rest."""
+    case = lake(tmp_path / "lake", solver, "-endTime", 0.02, "-deltaT", 0.001, "-writeInterval", 0.02)
+    setEntry(case, "system/controlDict", "functions",
+             "{ nu { type writeObjects; libs (utilityFunctionObjects); objects (nu1); writeControl writeTime; } }")
+    output = foam(solver, case=case, log="log.solver")
+    layers = re.findall(r"^    (\S+) m: .*density (\S+) kg/m3, viscosity (\S+) Pa s$", output, re.MULTILINE)[:3]
+    depths, densities, viscosities = np.array(layers, dtype=float).T
+    assert (np.diff(densities) > 5).all() and (np.diff(viscosities) > 0).all()
+
+    depth = LEVEL - scalars(case / "0/Cy")
+    liquid = scalars(case / "0/alpha.water") == 1
+    nu = scalars(case / "0.02/nu1")
+    np.testing.assert_allclose(nu[liquid], np.interp(depth[liquid], depths, viscosities)/densities[0], rtol=0.01)
+    assert (nu[~liquid] == nu[~liquid][0]).all()
+
+    # p_rgh has the weight of the surface's density taken out; densities between the layers are all but linear
+    fine = np.linspace(0, LEVEL, 301)
+    excess = np.interp(fine, depths, densities) - densities[0]
+    column = 9.81*np.concatenate(([0], np.cumsum(0.5*(excess[1:] + excess[:-1])*np.diff(fine))))
+    p = scalars(case / "0.02/p_rgh")[liquid]
+    top = np.argmin(depth[liquid])
+    expected = np.interp(depth[liquid], fine, column)
+    assert expected.max() > 10 and "fixedFluxExtrapolatedPressure" not in output
+    np.testing.assert_allclose(p - p[top], expected - expected[top], atol=0.01*expected.max())
+    speed = np.linalg.norm(compare.readCells(case / "0.02/U"), axis=1)[liquid]
+    assert speed.max() < 0.001
+
+
+def test_stratifiedLakeBetweenWalls(tmp_path: Path) -> None:
+    """Where the pressure does not follow the force at walls, the log says so."""
+    case = lake(tmp_path / "lake", "interFoam", "-endTime", 0.001, "-deltaT", 0.001)
+    (case / "0/p_rgh").write_text((case / "0/p_rgh").read_text().replace("fixedFluxExtrapolatedPressure", "fixedFluxPressure"))
+    output = foam("interFoam", case=case, log="log.solver")
+    assert re.search(r"Warning.*leftWall.*lowerWall.*fixedFluxExtrapolatedPressure", output, re.DOTALL)
+
+
+STRATIFICATION_MISTAKES = {
+    "unstable": (("CH4 5; C2H6 5;", "CH4 9; C2H6 1;"), ("layers", "unstable", "density")),
+    "shallower than the mesh": (("depth 0.3;", "depth 0.2;"), ("layers", "0.2", "as deep as the mesh")),
+    "order": (("depth 0.15;", "depth 0.5;"), ("layers", "depth of layer 3")),
+    "no surface": (("depth 0;", "depth 0.1;"), ("layers", "first layer")),
+    "misspelt": (("surfaceLevel", "surfaceHeight"), ("stratification", "surfaceHeight", "surfaceLevel")),
+    "fluid as well": (("stratification\n", "fluid Kraken; stratification\n"), ("water", "fluid", "stratification")),
+    "temperature field as well": (("stratification\n", "evaluation direct; stratification\n"), ("water", "evaluation", "stratified")),
+}
+
+
+@pytest.mark.parametrize("name", STRATIFICATION_MISTAKES)
+def test_badStratification(name: str, restingCase: Path) -> None:
+    replaced, named = STRATIFICATION_MISTAKES[name]
+    assert replaced[0] in STRATIFICATION
+    case = copy(restingCase, re.sub(r"\W+", "_", name))
+    transport(case, f"transportModel titanFluid; {STRATIFICATION.replace(*replaced)}")
+    checkRefused("interFoam", case, ("transportProperties.water", *named))
+
+
 # --- Bad input ------------------------------------------------------------------
 
 MISTAKES = {

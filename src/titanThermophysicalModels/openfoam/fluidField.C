@@ -87,6 +87,24 @@ void Foam::titan::fluidField::makeModel(const std::vector<property>& asked)
 }
 
 
+void Foam::titan::fluidField::makeProfile()
+{
+    if (!dict_.found("stratification"))
+    {
+        return;
+    }
+    if (evaluation_ != evaluationType::constant)
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Entry evaluation is " << evaluationTypeNames[evaluation_]
+            << ", but the fluid is stratified" << nl
+            << "Expected: constant, or a fluid that is not stratified."
+            << exit(FatalIOError);
+    }
+    profile_.reset(new lakeProfile(dict_.subDict("stratification"), mesh_));
+}
+
+
 const Foam::volScalarField* Foam::titan::fluidField::temperature() const
 {
     const volScalarField* T = mesh_.findObject<volScalarField>(TName_);
@@ -108,9 +126,16 @@ void Foam::titan::fluidField::evaluate
 (
     const property q,
     const scalarField& T,
+    const vectorField& points,
     scalarField& result
 ) const
 {
+    if (profile_.valid())
+    {
+        profile_->evaluate(q, points, result);
+        return;
+    }
+
     const scalarField p(T.size(), fluid_.p());
     orRefuse
     (
@@ -155,6 +180,7 @@ Foam::titan::fluidField::fluidField
     TName_(dict.lookupOrDefault<word>("TField", "T"))
 {
     makeModel(asked);
+    makeProfile();
 }
 
 
@@ -168,6 +194,12 @@ Foam::wordHashSet Foam::titan::fluidField::keywords()
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+bool Foam::titan::fluidField::steady() const
+{
+    return !model_ && !(profile_.valid() && mesh_.moving());
+}
+
+
 void Foam::titan::fluidField::evaluate
 (
     const property q,
@@ -175,8 +207,8 @@ void Foam::titan::fluidField::evaluate
     volScalarField& result
 ) const
 {
-    const volScalarField* T = uniform() ? nullptr : temperature();
-    if (!T)
+    const volScalarField* T = model_ ? temperature() : nullptr;
+    if (!T && !profile_.valid())
     {
         result == dimensionedScalar
         (
@@ -188,13 +220,25 @@ void Foam::titan::fluidField::evaluate
     }
 
     scalarField& cells = result.primitiveFieldRef();
-    evaluate(q, T->primitiveField(), cells);
+    evaluate
+    (
+        q,
+        T ? T->primitiveField() : scalarField::null(),
+        mesh_.C().primitiveField(),
+        cells
+    );
     cells /= divisor;
 
     forAll(result.boundaryField(), patchi)
     {
-        scalarField values(T->boundaryField()[patchi].size());
-        evaluate(q, T->boundaryField()[patchi], values);
+        scalarField values(result.boundaryField()[patchi].size());
+        evaluate
+        (
+            q,
+            T ? T->boundaryField()[patchi] : scalarField::null(),
+            mesh_.C().boundaryField()[patchi],
+            values
+        );
         result.boundaryFieldRef()[patchi] == values/divisor;
     }
 }
@@ -207,7 +251,11 @@ void Foam::titan::fluidField::print
 ) const
 {
     fluid_.print(os, printed);
-    if (!uniform())
+    if (profile_.valid())
+    {
+        profile_->print(os);
+    }
+    if (model_)
     {
         os  << "    Follows the temperature field " << TName_ << ", "
             << model_->type() << nl << flush;

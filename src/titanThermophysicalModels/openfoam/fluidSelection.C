@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "fluidSelection.H"
+#include "lakeProfile.H"
 #include "phaseEquilibrium.H"
 
 #include "FlatOutput.H"
@@ -56,6 +57,14 @@ composition::fractions readAmounts(const dictionary& dict)
     return x;
 }
 
+
+//- Does the entry composition ask for nitrogen?
+bool isSaturated(const dictionary& dict)
+{
+    return
+        dict.subDict("composition").lookupOrDefault<Switch>("saturated", false);
+}
+
 } // End anonymous namespace
 
 
@@ -77,6 +86,39 @@ void Foam::titan::checkKeywords
                 << exit(FatalIOError);
         }
     }
+}
+
+
+Foam::titan::composition Foam::titan::readComposition
+(
+    const dictionary& dict,
+    const scalar T,
+    const scalar p
+)
+{
+    const dictionary& xDict = dict.subDict("composition");
+    const composition::fractions x(readAmounts(xDict));
+    if (!isSaturated(dict))
+    {
+        return orRefuse(dict, "composition", [&]{ return composition(x); });
+    }
+
+    if (xDict.found("N2"))
+    {
+        FatalIOErrorInFunction(xDict)
+            << "Entry N2 is " << x[N2] << ", but entry saturated is true" << nl
+            << "Expected: CH4, C2H6 and C3H8 alone, to which the nitrogen is"
+            << " added, or no entry saturated." << exit(FatalIOError);
+    }
+    return orRefuse
+    (
+        dict,
+        "composition, T or p",
+        [&]
+        {
+            return saturateWithNitrogen(x[CH4], x[C2H6], x[C3H8], T, p).liquid;
+        }
+    );
 }
 
 
@@ -156,57 +198,64 @@ void Foam::titan::fluidSelection::selectNamed(const dictionary& dict)
 }
 
 
-void Foam::titan::fluidSelection::selectSaturated(const dictionary& dict)
+void Foam::titan::fluidSelection::selectMixture
+(
+    const dictionary& dict,
+    const char* name,
+    const phase ph,
+    const scalar T,
+    const scalar p,
+    const composition& x
+)
 {
-    const dictionary& xDict = dict.subDict("composition");
-    const composition::fractions x(readAmounts(xDict));
-    if (xDict.found("N2"))
-    {
-        FatalIOErrorInFunction(xDict)
-            << "Entry N2 is " << x[N2] << ", but entry saturated is true" << nl
-            << "Expected: CH4, C2H6 and C3H8 alone, to which the nitrogen is"
-            << " added, or no entry saturated." << exit(FatalIOError);
-    }
-
-    const scalar T = dict.get<scalar>("T");
-    const scalar p = dict.get<scalar>("p");
-    take
-    (
-        orRefuse
-        (
-            dict,
-            "composition, T or p",
-            [&]
-            {
-                return
-                    namedFluid::saturatedLake(x[CH4], x[C2H6], x[C3H8], T, p);
-            }
-        )
-    );
-    name_ = "lake";
+    name_ = name;
     source_ = "composition, T and p from the case";
+    phase_ = ph;
+    x_.reset(new composition(x));
+    properties_ = orRefuse
+    (
+        dict,
+        "composition, T, p or phase",
+        [&]{ return directFluid(x, ph)->properties(T, p); }
+    );
 }
 
 
 void Foam::titan::fluidSelection::selectComposition(const dictionary& dict)
 {
-    const composition::fractions x(readAmounts(dict.subDict("composition")));
     const scalar T = dict.get<scalar>("T");
     const scalar p = dict.get<scalar>("p");
-    const word phaseEntry(dict.get<word>("phase"));
+    const composition x(readComposition(dict, T, p));
+    if (isSaturated(dict))
+    {
+        selectMixture(dict, "lake", phase::liquid, T, p, x);
+        return;
+    }
 
-    name_ = "mixture";
-    source_ = "composition, T and p from the case";
-    phase_ = orRefuse(dict, "phase", [&]{ return phaseNamed(phaseEntry); });
-    x_.reset
-    (
-        orRefuse(dict, "composition", [&]{ return new composition(x); })
-    );
-    properties_ = orRefuse
+    const word phaseEntry(dict.get<word>("phase"));
+    selectMixture
     (
         dict,
-        "composition, T, p or phase",
-        [&]{ return directFluid(*x_, phase_)->properties(T, p); }
+        "mixture",
+        orRefuse(dict, "phase", [&]{ return phaseNamed(phaseEntry); }),
+        T,
+        p,
+        x
+    );
+}
+
+
+void Foam::titan::fluidSelection::selectSurface(const dictionary& dict)
+{
+    const lakeLayer surface(lakeProfile::readLayers(dict).front());
+    selectMixture
+    (
+        dict,
+        "lake",
+        phase::liquid,
+        surface.T,
+        dict.get<scalar>("p"),
+        surface.x
     );
 }
 
@@ -217,32 +266,36 @@ Foam::titan::fluidSelection::fluidSelection(const dictionary& dict)
 :
     phase_(phase::liquid)
 {
-    const bool named = dict.found("fluid");
-    if (named == dict.found("composition"))
+    wordList found;
+    for (const word entry : {"fluid", "composition", "stratification"})
+    {
+        if (dict.found(entry))
+        {
+            found.append(entry);
+        }
+    }
+    if (found.size() != 1)
     {
         const std::vector<std::string> names(namedFluid::names());
         FatalIOErrorInFunction(dict)
-            << (named ? "Both" : "Neither")
-            << " of the entries fluid and composition" << nl
-            << "Expected: fluid, the name of a lake or an air "
+            << "No single fluid: entries " << flatOutput(found) << nl
+            << "Expected: one of fluid, the name of a lake or an air "
             << flatOutput(wordList(names.begin(), names.end()))
-            << ", or composition, with T and p." << exit(FatalIOError);
+            << ", composition, with T and p, or stratification."
+            << exit(FatalIOError);
     }
 
-    if (named)
+    if (found[0] == "fluid")
     {
         selectNamed(dict);
     }
-    else if
-    (
-        dict.subDict("composition").lookupOrDefault<Switch>("saturated", false)
-    )
+    else if (found[0] == "composition")
     {
-        selectSaturated(dict);
+        selectComposition(dict);
     }
     else
     {
-        selectComposition(dict);
+        selectSurface(dict.subDict("stratification"));
     }
 
     if

@@ -53,7 +53,8 @@ void Foam::viscosityModels::titanFluid::select(const dictionary& dict)
             titan::fluidField::keywords()
           | wordHashSet
             ({
-                "transportModel", "rho", "nu", "soundSpeed", "vapourPressure"
+                "transportModel", "stratification",
+                "rho", "nu", "soundSpeed", "vapourPressure"
             })
         );
     }
@@ -142,7 +143,7 @@ Foam::viscosityModels::titanFluid::titanFluid
 
 void Foam::viscosityModels::titanFluid::correct()
 {
-    if (!fluid_->uniform())
+    if (!fluid_->steady())
     {
         update();
     }
