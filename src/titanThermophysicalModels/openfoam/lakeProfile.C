@@ -3,7 +3,6 @@
 #include "lakeProfile.H"
 #include "fluidSelection.H"
 
-#include "DynamicList.H"
 #include "fvMesh.H"
 #include "gravityMeshObject.H"
 
