@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "freeSurfaceFlow.H"
+#include "surfaceTensionModel.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -76,6 +77,10 @@ void Foam::freeSurfaceFlow::reportScene(Ostream& os) const
     const word phase1(transport.get<wordList>("phases")[0]);
     const word phase2(transport.get<wordList>("phases")[1]);
 
+    // With the entries that a model adds to those of the case
+    const dictionary& properties1 = mixture_.nuModel1().viscosityProperties();
+    const dictionary& properties2 = mixture_.nuModel2().viscosityProperties();
+
     DynamicList<string> remarks;
 
     const scalar Re = U*L/nu1;
@@ -100,7 +105,13 @@ void Foam::freeSurfaceFlow::reportScene(Ostream& os) const
     }
 
     scalar sigma = 0;
-    if (transport.found("sigma") && !transport.isDict("sigma"))
+    const auto* surfaceTension =
+        mesh_.findObject<surfaceTensionModel>(surfaceTensionModel::typeName);
+    if (surfaceTension)
+    {
+        sigma = gMax(surfaceTension->sigma()().primitiveField());
+    }
+    else if (transport.found("sigma") && !transport.isDict("sigma"))
     {
         sigma = dimensionedScalar("sigma", dimMass/sqr(dimTime), transport).value();
     }
@@ -125,10 +136,12 @@ void Foam::freeSurfaceFlow::reportScene(Ostream& os) const
         }
     }
 
-    for (const word& phase : {phase1, phase2})
+    for (const bool first : {true, false})
     {
+        const word& phase = first ? phase1 : phase2;
+        const dictionary& properties = first ? properties1 : properties2;
         scalar c = 0;
-        if (transport.subDict(phase).readIfPresent("soundSpeed", c) && c > 0)
+        if (properties.readIfPresent("soundSpeed", c) && c > 0)
         {
             const scalar Ma = U/c;
             os  << "    Ma          : " << Ma << " in " << phase << nl;
@@ -165,11 +178,7 @@ void Foam::freeSurfaceFlow::reportScene(Ostream& os) const
     if (scene_.dict().readIfPresent("ambientPressure", pAmbient))
     {
         const scalar pVapour =
-            transport.subDict(phase1).lookupOrDefault<scalar>
-            (
-                "vapourPressure",
-                0
-            );
+            properties1.lookupOrDefault<scalar>("vapourPressure", 0);
         const scalar Ca = (pAmbient - pVapour)/(0.5*rho1*sqr(U));
         os  << "    cavitation  : " << Ca << " (ambient " << pAmbient
             << " Pa, vapour " << pVapour << " Pa)" << nl;
