@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 // * * * * * * * * * * * * * * * Local Functions  * * * * * * * * * * * * * //
 
@@ -11,13 +10,6 @@ namespace
 {
 
 using namespace Foam::titan;
-
-std::string text(const char* format, double a, double b, double c)
-{
-    char buffer[256];
-    std::snprintf(buffer, sizeof buffer, format, a, b, c);
-    return buffer;
-}
 
 
 [[noreturn]] void refuseOutside(double T, double p, const tableLimits& limits)
@@ -31,13 +23,13 @@ std::string text(const char* format, double a, double b, double c)
         throw thermoError
         (
             thermoError::reason::temperatureRange,
-            text("temperature T is %.6g K: the table holds %.6g to %.6g K", T, limits.Tmin, limits.Tmax)
+            formatted("temperature T is %.6g K: the table holds %.6g to %.6g K", T, limits.Tmin, limits.Tmax)
         );
     }
     throw thermoError
     (
         thermoError::reason::pressureRange,
-        text("pressure p is %.6g Pa: the table holds %.6g to %.6g Pa", p, limits.pMin, limits.pMax)
+        formatted("pressure p is %.6g Pa: the table holds %.6g to %.6g Pa", p, limits.pMin, limits.pMax)
     );
 }
 
@@ -240,7 +232,7 @@ class tabulatedFluidModel
                 (
                     thermoError::reason::badEntry,
                     std::string("a table of ") + propertyName(q)
-                  + text(" differs by %.3g from the equations: expected %.3g; take a smaller range", error.both,
+                  + formatted(" differs by %.3g from the equations: expected %.3g; take a smaller range", error.both,
                         limits_.relativeError, 0)
                 );
             }
@@ -277,7 +269,7 @@ public:
             throw thermoError
             (
                 thermoError::reason::badEntry,
-                text("relative error of the table is %.3g: expected %.3g to %.3g", limits.relativeError, 1e-10, 1)
+                formatted("relative error of the table is %.3g: expected %.3g to %.3g", limits.relativeError, 1e-10, 1)
             );
         }
         for (const property q : tabulated)

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <vector>
 
@@ -26,14 +25,6 @@ constexpr double negligibleExponent = 100;
 constexpr double newtonTolerance = 1e-7;
 
 constexpr int maxIterations = 100;
-
-
-std::string text(const char* format, double a, double b = 0, double c = 0)
-{
-    char buffer[256];
-    std::snprintf(buffer, sizeof buffer, format, a, b, c);
-    return buffer;
-}
 
 
 //- Density of the saturated liquid [mol/m3], to 2 %: where Newton's method starts, nothing else
@@ -57,7 +48,7 @@ double startingDensity(const composition& x, double T)
     throw thermoError
     (
         thermoError::reason::noSuchPhase,
-        text("at %.6g K and %.6g Pa ", T, p) + x.name() + " has no stable " + phaseName(ph)
+        formatted("at %.6g K and %.6g Pa ", T, p) + x.name() + " has no stable " + phaseName(ph)
       + (ph == phase::liquid ? ": the pressure is too low for it" : ": the pressure is too high for it")
     );
 }
@@ -84,7 +75,7 @@ void Foam::titan::range::checkTemperature(double T)
         throw thermoError
         (
             thermoError::reason::temperatureRange,
-            text("temperature T is %.6g K: expected %.6g to %.6g K", T, Tmin, Tmax)
+            formatted("temperature T is %.6g K: expected %.6g to %.6g K", T, Tmin, Tmax)
         );
     }
 }
@@ -102,7 +93,7 @@ void Foam::titan::range::check(double T, double p)
         throw thermoError
         (
             thermoError::reason::pressureRange,
-            text("pressure p is %.6g Pa: expected %.6g to %.6g Pa", p, pMin, pMax)
+            formatted("pressure p is %.6g Pa: expected %.6g to %.6g Pa", p, pMin, pMax)
         );
     }
 }
@@ -678,7 +669,7 @@ Foam::titan::fluidState Foam::titan::helmholtzMixture::isotherm::stateAtRoot(dou
         throw thermoError
         (
             thermoError::reason::noSuchPhase,
-            text("at %.6g K and %.6g mol/m3 ", T_, molarDensity) + m.x_.name() + " is mechanically unstable"
+            formatted("at %.6g K and %.6g mol/m3 ", T_, molarDensity) + m.x_.name() + " is mechanically unstable"
         );
     }
 
@@ -704,7 +695,7 @@ Foam::titan::fluidState Foam::titan::helmholtzMixture::isotherm::stateAtDensity(
         throw thermoError
         (
             std::isnan(molarDensity) ? thermoError::reason::notANumber : thermoError::reason::badEntry,
-            text("molar density is %.6g mol/m3: expected more than 0", molarDensity)
+            formatted("molar density is %.6g mol/m3: expected more than 0", molarDensity)
         );
     }
 
@@ -726,7 +717,7 @@ Foam::titan::fluidState Foam::titan::helmholtzMixture::isotherm::stateAtDensity(
     throw thermoError
     (
         thermoError::reason::noSuchPhase,
-        text("at %.6g K and %.6g mol/m3 ", T_, molarDensity) + mixture_.x_.name() + " is neither liquid nor gas"
+        formatted("at %.6g K and %.6g mol/m3 ", T_, molarDensity) + mixture_.x_.name() + " is neither liquid nor gas"
     );
 }
 

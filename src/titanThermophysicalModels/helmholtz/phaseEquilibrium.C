@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 // * * * * * * * * * * * * * * * Local Functions  * * * * * * * * * * * * * //
@@ -22,14 +21,6 @@ constexpr double tolerance = 1e-10;
 
 // A second liquid is mostly nitrogen: below this share of nitrogen's own vapour pressure none can form
 constexpr double splitPressureShare = 0.5;
-
-
-std::string text(const char* format, double a, double b = 0)
-{
-    char buffer[256];
-    std::snprintf(buffer, sizeof buffer, format, a, b);
-    return buffer;
-}
 
 
 [[noreturn]] void refuseEquilibrium(const std::string& message)
@@ -126,7 +117,7 @@ void checkSplit(const composition& liquid, double T, double p)
     {
         refuseEquilibrium
         (
-            text("at %.6g K and %.6g Pa ", T, p) + liquid.name()
+            formatted("at %.6g K and %.6g Pa ", T, p) + liquid.name()
           + " splits into two liquids, one of them mostly nitrogen"
         );
     }
@@ -243,7 +234,7 @@ Foam::titan::saturation Foam::titan::pureSaturation(species i, double T)
             return s;
         }
     }
-    refuseEquilibrium(text("no saturation pressure found at %.6g K for ", T) + speciesLongName(i));
+    refuseEquilibrium(formatted("no saturation pressure found at %.6g K for ", T) + speciesLongName(i));
 }
 
 
@@ -343,7 +334,7 @@ Foam::titan::equilibrium Foam::titan::bubblePoint(const composition& liquid, dou
         residualOld = residual;
         p = std::exp(lnP - std::min(0.5, std::max(-0.5, residual/slope)));
     }
-    refuseEquilibrium(text("no bubble pressure found at %.6g K for ", T) + liquid.name());
+    refuseEquilibrium(formatted("no bubble pressure found at %.6g K for ", T) + liquid.name());
 }
 
 
@@ -366,7 +357,7 @@ Foam::titan::equilibrium Foam::titan::saturateWithNitrogen
             throw thermoError
             (
                 std::isfinite(amounts[i]) ? thermoError::reason::composition : thermoError::reason::notANumber,
-                text("amount of ", 0) + speciesLongName(i) + text(" is %.6g: expected 0 or more", amounts[i])
+                formatted("amount of ", 0) + speciesLongName(i) + formatted(" is %.6g: expected 0 or more", amounts[i])
             );
         }
         sum += amounts[i];
@@ -419,7 +410,7 @@ Foam::titan::equilibrium Foam::titan::saturateWithNitrogen
             {
                 refuseEquilibrium
                 (
-                    text("at %.6g K the alkanes alone boil at %.6g Pa: no nitrogen dissolves", T, p)
+                    formatted("at %.6g K the alkanes alone boil at %.6g Pa: no nitrogen dissolves", T, p)
                 );
             }
             const composition nextY = normalised(next);
@@ -447,14 +438,14 @@ Foam::titan::equilibrium Foam::titan::saturateWithNitrogen
             {
                 refuseEquilibrium
                 (
-                    text("at %.6g K and %.6g Pa nitrogen dissolves without limit: it condenses itself", T, p)
+                    formatted("at %.6g K and %.6g Pa nitrogen dissolves without limit: it condenses itself", T, p)
                 );
             }
             if (excessHigh < excessLow)
             {
                 refuseEquilibrium
                 (
-                    text("at %.6g K and %.6g Pa the liquid splits in two before it is saturated with nitrogen", T, p)
+                    formatted("at %.6g K and %.6g Pa the liquid splits in two before it is saturated with nitrogen", T, p)
                 );
             }
             low = high;
@@ -496,12 +487,12 @@ Foam::titan::equilibrium Foam::titan::saturateWithNitrogen
         {
             refuseEquilibrium
             (
-                text("at %.6g K and %.6g Pa there is no lake under nitrogen: ", T, p) + refused.what()
+                formatted("at %.6g K and %.6g Pa there is no lake under nitrogen: ", T, p) + refused.what()
             );
         }
         throw;
     }
-    refuseEquilibrium(text("no solubility of nitrogen found at %.6g K and %.6g Pa", T, p));
+    refuseEquilibrium(formatted("no solubility of nitrogen found at %.6g K and %.6g Pa", T, p));
 }
 
 
@@ -625,7 +616,7 @@ std::vector<std::string> Foam::titan::stateWarnings(const composition& x, phase 
         std::string bubble;
         try
         {
-            bubble = text(": its bubble pressure is %.5g Pa", bubblePoint(x, T).p);
+            bubble = formatted(": its bubble pressure is %.5g Pa", bubblePoint(x, T).p);
         }
         catch (const thermoError&)
         {}
@@ -644,7 +635,7 @@ std::vector<std::string> Foam::titan::stateWarnings(const composition& x, phase 
     const double liquidus = liquidusTemperature(x, p);
     if (T < liquidus - roundedT)
     {
-        warnings.push_back(text("The liquid may freeze: it is below its liquidus, about %.1f K.", liquidus));
+        warnings.push_back(formatted("The liquid may freeze: it is below its liquidus, about %.1f K.", liquidus));
     }
     if (nearSaturation && T < 86)
     {

@@ -2,7 +2,6 @@
 #include "titanComposition.H"
 
 #include <cmath>
-#include <cstdio>
 
 // * * * * * * * * * * * * * * * Local Functions  * * * * * * * * * * * * * //
 
@@ -16,15 +15,6 @@ const double molarMasses[nSpecies] = {0.02801348, 0.0160428, 0.03006904, 0.04409
 
 const char* const shortNames[nSpecies] = {"N2", "CH4", "C2H6", "C3H8"};
 const char* const longNames[nSpecies] = {"nitrogen", "methane", "ethane", "propane"};
-
-
-//- A number as short as it can be without losing digits that matter
-std::string text(double value)
-{
-    char buffer[32];
-    std::snprintf(buffer, sizeof buffer, "%.6g", value);
-    return buffer;
-}
 
 
 //- The fractions, checked and normalised
@@ -48,7 +38,7 @@ composition::fractions checked(composition::fractions x)
             throw thermoError
             (
                 thermoError::reason::composition,
-                std::string("mole fraction of ") + shortNames[i] + " is " + text(x[i])
+                std::string("mole fraction of ") + shortNames[i] + " is " + formatted("%.6g", x[i])
               + ": expected 0 or more"
             );
         }
@@ -60,7 +50,7 @@ composition::fractions checked(composition::fractions x)
         throw thermoError
         (
             thermoError::reason::composition,
-            "mole fractions add up to " + text(sum) + ": expected 1 within 0.001"
+            "mole fractions add up to " + formatted("%.6g", sum) + ": expected 1 within 0.001"
         );
     }
     for (double& xi : x)
@@ -117,23 +107,6 @@ Foam::titan::phase Foam::titan::phaseNamed(const std::string& name)
 }
 
 
-const char* Foam::titan::thermoError::name() const
-{
-    switch (reason_)
-    {
-        case reason::notANumber:        return "notANumber";
-        case reason::composition:       return "composition";
-        case reason::temperatureRange:  return "temperatureRange";
-        case reason::pressureRange:     return "pressureRange";
-        case reason::noSuchPhase:       return "noSuchPhase";
-        case reason::noEquilibrium:     return "noEquilibrium";
-        case reason::unknownName:       return "unknownName";
-        case reason::badEntry:          return "badEntry";
-    }
-    return "unknown";
-}
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::titan::composition::composition(double xN2, double xCH4, double xC2H6, double xC3H8)
@@ -187,7 +160,7 @@ std::string Foam::titan::composition::name() const
     {
         if (x_[i] > 0)
         {
-            result += (result.empty() ? "" : ", ") + text(x_[i]) + " " + shortNames[i];
+            result += (result.empty() ? "" : ", ") + formatted("%.6g", x_[i]) + " " + shortNames[i];
         }
     }
     return result;

@@ -229,6 +229,40 @@ Law report(const Law& law, const reference& ref)
     return law;
 }
 
+//- The law, whose own coefficients have these names
+template<class Law>
+Law lawOf(const dictionary& dict, const word& first, const word& second)
+{
+    const reference ref(readReference(dict));
+    checkEntries(dict, ref.type, {first, second});
+    if (ref.type == stiffnessType::given)
+    {
+        const scalar a = dict.get<scalar>(first);
+        const scalar b = dict.get<scalar>(second);
+        return report
+        (
+            orRefuse
+            (
+                dict,
+                ("p0, rho0, " + first + " or " + second).c_str(),
+                [&]{ return Law(ref.p0, ref.rho0, a, b); }
+            ),
+            ref
+        );
+    }
+    const stiffness s(readStiffness(dict, ref));
+    return report
+    (
+        orRefuse
+        (
+            dict,
+            "p0, rho0 or gamma",
+            [&]{ return Law::of(ref.p0, ref.rho0, s); }
+        ),
+        ref
+    );
+}
+
 } // End anonymous namespace
 
 
@@ -237,68 +271,14 @@ Law report(const Law& law, const reference& ref)
 template<>
 Foam::titan::MurnaghanLaw Foam::titan::readLaw(const dictionary& dict)
 {
-    const reference ref(readReference(dict));
-    checkEntries(dict, ref.type, {"k0", "gamma"});
-    if (ref.type == stiffnessType::given)
-    {
-        const scalar k0 = dict.get<scalar>("k0");
-        const scalar gamma = dict.get<scalar>("gamma");
-        return report
-        (
-            orRefuse
-            (
-                dict,
-                "p0, rho0, k0 or gamma",
-                [&]{ return MurnaghanLaw(ref.p0, ref.rho0, k0, gamma); }
-            ),
-            ref
-        );
-    }
-    const stiffness s(readStiffness(dict, ref));
-    return report
-    (
-        orRefuse
-        (
-            dict,
-            "p0, rho0 or gamma",
-            [&]{ return MurnaghanLaw::of(ref.p0, ref.rho0, s); }
-        ),
-        ref
-    );
+    return lawOf<MurnaghanLaw>(dict, "k0", "gamma");
 }
 
 
 template<>
 Foam::titan::TaitLaw Foam::titan::readLaw(const dictionary& dict)
 {
-    const reference ref(readReference(dict));
-    checkEntries(dict, ref.type, {"B", "C"});
-    if (ref.type == stiffnessType::given)
-    {
-        const scalar B = dict.get<scalar>("B");
-        const scalar C = dict.get<scalar>("C");
-        return report
-        (
-            orRefuse
-            (
-                dict,
-                "p0, rho0, B or C",
-                [&]{ return TaitLaw(ref.p0, ref.rho0, B, C); }
-            ),
-            ref
-        );
-    }
-    const stiffness s(readStiffness(dict, ref));
-    return report
-    (
-        orRefuse
-        (
-            dict,
-            "p0, rho0 or gamma",
-            [&]{ return TaitLaw::of(ref.p0, ref.rho0, s); }
-        ),
-        ref
-    );
+    return lawOf<TaitLaw>(dict, "B", "C");
 }
 
 
