@@ -1,0 +1,379 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Neighbours of particles and the sums over them, against sums over all pairs in double precision.
+
+#include <gtest/gtest.h>
+
+#include "interaction.H"
+#include "smoothingKernels.H"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <set>
+
+using namespace Foam::sph;
+
+namespace
+{
+
+constexpr double spacing = 0.01;
+constexpr double rho0 = 1000;
+
+template<int dim>
+struct cloud
+{
+    typedef std::array<double, dim> vector;
+
+    std::vector<vector> x, v;
+    std::vector<double> density, pressure, volume;
+
+    //- A disturbed lattice with a cavity, so that columns have gaps and broken clusters
+    explicit cloud(int n)
+    {
+        std::mt19937 generator(5);
+        std::uniform_real_distribution<double> uniform(-0.3, 0.3);
+        const int layers = dim == 3 ? n : 1;
+        for (int i = 0; i < n*n*layers; ++i)
+        {
+            const int lattice[] = {i % n, i/n % n, i/n/n};
+            vector at, velocity;
+            double fromCentre2 = 0;
+            for (int d = 0; d < dim; ++d)
+            {
+                at[d] = spacing*(lattice[d] + uniform(generator));
+                velocity[d] = uniform(generator);
+                fromCentre2 += std::pow(at[d]/spacing - 0.5*n, 2);
+            }
+            if (fromCentre2 < 9)
+            {
+                continue;
+            }
+            x.push_back(at);
+            v.push_back(velocity);
+            density.push_back(10*uniform(generator));
+            pressure.push_back(1000*uniform(generator));
+            volume.push_back(std::pow(spacing, dim)/(1 + density.back()/rho0));
+        }
+    }
+
+    template<class Real>
+    packedParticles<Real, dim> packed(const clusterNeighbours<dim>& neighbours) const
+    {
+        typedef packedParticles<Real, dim> fields;
+        fields result;
+        result.rho0 = rho0;
+        result.resize(neighbours.size());
+        for (std::size_t i = 0; i < neighbours.size(); ++i)
+        {
+            const int k = neighbours.order()[i];
+            if (k < 0)
+            {
+                continue;
+            }
+            for (int d = 0; d < dim; ++d)
+            {
+                result(i, fields::x + d) = x[k][d];
+                result(i, fields::v + d) = v[k][d];
+            }
+            result(i, fields::density) = density[k];
+            result(i, fields::volume) = volume[k];
+            result(i, fields::pressure) = pressure[k];
+        }
+        return result;
+    }
+};
+
+
+//- Kernel factor f(q) of a type
+double kernelFactor(kernelType kernel, double q)
+{
+    switch (kernel)
+    {
+        case kernelType::WendlandC4:    return WendlandC4::f<double>(q);
+        case kernelType::cubicSpline:   return cubicSpline::f<double>(q);
+        default:                        return WendlandC2::f<double>(q);
+    }
+}
+
+
+double normalisation(kernelType kernel, int dim)
+{
+    switch (kernel)
+    {
+        case kernelType::WendlandC4:    return WendlandC4::normalisation(dim);
+        case kernelType::cubicSpline:   return cubicSpline::normalisation(dim);
+        default:                        return WendlandC2::normalisation(dim);
+    }
+}
+
+
+//- The equations of interaction.H, pair by pair: the rate of density first, then the acceleration
+template<int dim>
+std::array<double, dim + 1> rates(const cloud<dim>& c, std::size_t i, const interactionModel& m)
+{
+    std::array<double, dim + 1> sum{};
+    const double rho = rho0 + c.density[i];
+    const double scale = normalisation(m.kernel, dim)/std::pow(m.h, dim + 2);
+    for (std::size_t j = 0; j < c.x.size(); ++j)
+    {
+        double r2 = 0;
+        double approach = 0;
+        for (int d = 0; d < dim; ++d)
+        {
+            r2 += std::pow(c.x[i][d] - c.x[j][d], 2);
+            approach += (c.x[i][d] - c.x[j][d])*(c.v[i][d] - c.v[j][d]);
+        }
+        if (j == i || r2 >= 4*m.h*m.h)
+        {
+            continue;
+        }
+        const double F = scale*kernelFactor(m.kernel, std::sqrt(r2)/m.h);
+        const double VF = c.volume[j]*F;
+        const double regular = r2 + 0.01*m.h*m.h;
+
+        sum[0] += rho*VF*approach;
+        if (m.diffusion == diffusionType::Molteni)
+        {
+            sum[0] += 2*m.delta*m.h*m.c0*(c.density[i] - c.density[j])*VF;
+        }
+        double stress = c.pressure[i] + c.pressure[j];
+        if (m.viscosity == viscosityType::artificial && approach < 0)
+        {
+            stress -= m.alpha*m.c0*m.h*approach/regular*(rho0 + 0.5*(c.density[i] + c.density[j]));
+        }
+        for (int d = 0; d < dim; ++d)
+        {
+            sum[1 + d] -= VF*stress*(c.x[i][d] - c.x[j][d])/rho;
+            if (m.viscosity == viscosityType::laminar)
+            {
+                sum[1 + d] += 2*m.mu*VF*r2/regular*(c.v[i][d] - c.v[j][d])/rho;
+            }
+        }
+    }
+    return sum;
+}
+
+
+template<class Real, int dim>
+double largestError(const cloud<dim>& c, const interactionModel& m, bool AVX2, double tolerance)
+{
+    clusterNeighbours<dim> neighbours;
+    neighbours.sort(c.x, spacing);
+    neighbours.search(c.x, 2.2*m.h, 1);
+    auto particles = c.template packed<Real>(neighbours);
+    const interaction<Real, dim> interact(m, AVX2);
+    interact(neighbours, particles, 1);
+
+    // Against the largest of each rate
+    std::array<double, dim + 1> largest{}, error{};
+    for (std::size_t i = 0; i < neighbours.size(); i += 7)
+    {
+        const int k = neighbours.order()[i];
+        if (k < 0)
+        {
+            continue;
+        }
+        const auto exact = rates<dim>(c, k, m);
+        for (int q = 0; q <= dim; ++q)
+        {
+            const double value = q ? particles.acceleration[q - 1][i] : particles.densityRate[i];
+            largest[q] = std::max(largest[q], std::abs(exact[q]));
+            error[q] = std::max(error[q], std::abs(value - exact[q]));
+        }
+    }
+    double worst = 0;
+    for (int q = 0; q <= dim; ++q)
+    {
+        EXPECT_LT(error[q], tolerance*largest[q]) << "rate " << q << " in " << interact.instructions();
+        worst = std::max(worst, error[q]/largest[q]);
+    }
+    return worst;
+}
+
+
+//- All that can be chosen
+std::vector<interactionModel> models(double h)
+{
+    std::vector<interactionModel> all;
+    for (const kernelType kernel : {kernelType::WendlandC2, kernelType::WendlandC4, kernelType::cubicSpline})
+    {
+        for (const viscosityType viscosity : {viscosityType::none, viscosityType::laminar, viscosityType::artificial})
+        {
+            for (const diffusionType diffusion : {diffusionType::none, diffusionType::Molteni})
+            {
+                interactionModel m;
+                m.kernel = kernel;
+                m.viscosity = viscosity;
+                m.diffusion = diffusion;
+                m.h = h;
+                m.c0 = 30;
+                m.mu = 50;
+                m.alpha = 0.5;
+                m.delta = 0.1;
+                all.push_back(m);
+            }
+        }
+    }
+    return all;
+}
+
+
+template<int dim>
+void checkNeighbours()
+{
+    const cloud<dim> c(dim == 2 ? 40 : 14);
+    const double radius = 2.7*spacing;
+    clusterNeighbours<dim> neighbours;
+    neighbours.sort(c.x, spacing);
+    neighbours.search(c.x, radius, 1);
+
+    // Every particle has one place
+    std::set<int> seen;
+    for (const std::int32_t k : neighbours.order())
+    {
+        if (k >= 0)
+        {
+            EXPECT_TRUE(seen.insert(k).second);
+        }
+    }
+    ASSERT_EQ(seen.size(), c.x.size());
+    EXPECT_LT(neighbours.size(), 1.5*c.x.size());
+
+    for (std::size_t i = 0; i < neighbours.size(); ++i)
+    {
+        const int k = neighbours.order()[i];
+        if (k < 0)
+        {
+            EXPECT_EQ(neighbours.begin(i), neighbours.end(i));
+            continue;
+        }
+        std::set<int> found;
+        for (const std::int32_t* cluster = neighbours.begin(i); cluster != neighbours.end(i); ++cluster)
+        {
+            for (int lane = 0; lane < clusterSize; ++lane)
+            {
+                const int other = neighbours.order()[*cluster*clusterSize + lane];
+                if (other >= 0)
+                {
+                    EXPECT_TRUE(found.insert(other).second);
+                }
+            }
+        }
+        for (std::size_t j = 0; j < c.x.size(); ++j)
+        {
+            double r2 = 0;
+            for (int d = 0; d < dim; ++d)
+            {
+                r2 += std::pow(c.x[k][d] - c.x[j][d], 2);
+            }
+            if (r2 < radius*radius)
+            {
+                ASSERT_TRUE(found.count(j)) << k << " misses " << j;
+            }
+        }
+    }
+
+    // Whatever the number of threads
+    clusterNeighbours<dim> shared;
+    shared.sort(c.x, spacing);
+    shared.search(c.x, radius, 3);
+    ASSERT_EQ(shared.order(), neighbours.order());
+    for (std::size_t i = 0; i < neighbours.size(); ++i)
+    {
+        ASSERT_TRUE(std::equal(shared.begin(i), shared.end(i), neighbours.begin(i), neighbours.end(i)));
+    }
+}
+
+
+template<class Real, int dim>
+void checkTwins(double momentumTolerance)
+{
+    const cloud<dim> c(dim == 2 ? 40 : 14);
+    interactionModel m = models(1.5*spacing)[5];
+    clusterNeighbours<dim> neighbours;
+    neighbours.sort(c.x, spacing);
+    neighbours.search(c.x, 2.2*m.h, 1);
+    auto once = c.template packed<Real>(neighbours);
+    auto again = c.template packed<Real>(neighbours);
+    const interaction<Real, dim> interact(m);
+    interact(neighbours, once, 1);
+    interact(neighbours, again, 2);
+    EXPECT_EQ(once.densityRate, again.densityRate);
+    EXPECT_EQ(once.acceleration, again.acceleration);
+
+    // Momentum: what one particle gives another gets
+    for (int d = 0; d < dim; ++d)
+    {
+        double total = 0;
+        double size = 0;
+        for (std::size_t i = 0; i < neighbours.size(); ++i)
+        {
+            const int k = neighbours.order()[i];
+            if (k >= 0)
+            {
+                const double force = (rho0 + c.density[k])*c.volume[k]*once.acceleration[d][i];
+                total += force;
+                size += std::abs(force);
+            }
+        }
+        EXPECT_LT(std::abs(total), momentumTolerance*size);
+        EXPECT_GT(size, 0);
+    }
+}
+
+} // End anonymous namespace
+
+
+TEST(ClusterNeighbours, inThePlane)
+{
+    checkNeighbours<2>();
+}
+
+
+TEST(ClusterNeighbours, inSpace)
+{
+    checkNeighbours<3>();
+}
+
+
+TEST(ClusterNeighbours, fewParticles)
+{
+    clusterNeighbours<3> none;
+    none.sort({}, spacing);
+    none.search({}, spacing, 2);
+    EXPECT_EQ(none.size(), 0u);
+
+    const std::vector<std::array<double, 3>> one = {{{0.1, 0.2, 0.3}}};
+    clusterNeighbours<3> neighbours;
+    neighbours.sort(one, spacing);
+    neighbours.search(one, spacing, 2);
+    EXPECT_EQ(neighbours.size(), std::size_t(clusterSize));
+    EXPECT_EQ(neighbours.end(0) - neighbours.begin(0), 1);
+}
+
+
+// The tolerances are the round-off of sums of some 50 terms that cancel
+TEST(Interaction, agreesWithTheSumOverAllPairs)
+{
+    const cloud<2> plane(30);
+    const cloud<3> space(12);
+    for (const interactionModel& m : models(1.5*spacing))
+    {
+        for (const bool AVX2 : {true, false})
+        {
+            largestError<double, 2>(plane, m, AVX2, 1e-12);
+            largestError<double, 3>(space, m, AVX2, 1e-12);
+            largestError<float, 2>(plane, m, AVX2, 1e-4);
+            largestError<float, 3>(space, m, AVX2, 1e-4);
+        }
+    }
+}
+
+
+TEST(Interaction, twinsAndMomentum)
+{
+    checkTwins<double, 2>(1e-13);
+    checkTwins<double, 3>(1e-13);
+    checkTwins<float, 2>(1e-5);
+    checkTwins<float, 3>(1e-5);
+}

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma GCC optimize("no-math-errno", "no-trapping-math")
+
+#include "interaction.H"
+#include "smoothingKernels.H"
+
+#include <algorithm>
+
+// * * * * * * * * * * * * * * * * * Loops  * * * * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace sph
+{
+
+namespace SSE2
+{
+    #include "interactionLoop.H"
+}
+
+// In interactionAVX2.C
+namespace AVX2
+{
+    template<class Real, int dim>
+    struct chooseLoop
+    {
+        static typename interaction<Real, dim>::loop of(const interactionModel& model);
+    };
+}
+
+} // End namespace sph
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * Packed Particles  * * * * * * * * * * * * * * //
+
+template<class Real, int dim>
+void Foam::sph::packedParticles<Real, dim>::resize(std::size_t nPlaces)
+{
+    // Far enough for any support, near enough for its square
+    constexpr Real farAway = 1e15;
+
+    packs_.assign(nPlaces*nFields, 0);
+    for (std::size_t i = 0; i < nPlaces; ++i)
+    {
+        for (int d = 0; d < dim; ++d)
+        {
+            (*this)(i, x + d) = farAway;
+        }
+    }
+    densityRate.assign(nPlaces, 0);
+    for (auto& a : acceleration)
+    {
+        a.assign(nPlaces, 0);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+template<class Real, int dim>
+Foam::sph::interaction<Real, dim>::interaction(const interactionModel& model, bool wantAVX2)
+:
+    model_(model)
+{
+    const bool useAVX2 = wantAVX2 && __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+    loop_ = useAVX2 ? AVX2::chooseLoop<Real, dim>::of(model) : SSE2::chooseLoop<Real, dim>::of(model);
+    instructions_ = useAVX2 ? "AVX2" : "SSE2";
+}
+
+
+// * * * * * * * * * * * * * * * Member Operators  * * * * * * * * * * * * * //
+
+template<class Real, int dim>
+void Foam::sph::interaction<Real, dim>::operator()
+(
+    const clusterNeighbours<dim>& neighbours,
+    packedParticles<Real, dim>& particles,
+    int nThreads
+) const
+{
+    constexpr std::size_t chunk = 64*clusterSize;
+    const std::int64_t nChunks = (neighbours.size() + chunk - 1)/chunk;
+
+    #pragma omp parallel for num_threads(nThreads) schedule(dynamic, 1)
+    for (std::int64_t k = 0; k < nChunks; ++k)
+    {
+        loop_(model_, neighbours, particles, k*chunk, std::min(neighbours.size(), (k + 1)*chunk));
+    }
+}
+
+
+template class Foam::sph::packedParticles<float, 2>;
+template class Foam::sph::packedParticles<float, 3>;
+template class Foam::sph::packedParticles<double, 2>;
+template class Foam::sph::packedParticles<double, 3>;
+
+template class Foam::sph::interaction<float, 2>;
+template class Foam::sph::interaction<float, 3>;
+template class Foam::sph::interaction<double, 2>;
+template class Foam::sph::interaction<double, 3>;
