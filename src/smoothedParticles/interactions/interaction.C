@@ -24,7 +24,8 @@ namespace AVX2
     template<class Real, int dim>
     struct chooseLoop
     {
-        static typename interaction<Real, dim>::loop of(const interactionModel& model);
+        static typename interaction<Real, dim>::loop sums(const interactionModel& model);
+        static typename interaction<Real, dim>::loop extrapolation(const interactionModel& model);
     };
 }
 
@@ -48,10 +49,13 @@ void Foam::sph::packedParticles<Real, dim>::resize(std::size_t nPlaces)
             (*this)(i, x + d) = farAway;
         }
     }
+    contents.assign(nPlaces, content::nothing);
     densityRate.assign(nPlaces, 0);
-    for (auto& a : acceleration)
+    wallPressure.assign(nPlaces, 0);
+    for (int d = 0; d < dim; ++d)
     {
-        a.assign(nPlaces, 0);
+        acceleration[d].assign(nPlaces, 0);
+        wallVelocity[d].assign(nPlaces, 0);
     }
 }
 
@@ -64,16 +68,21 @@ Foam::sph::interaction<Real, dim>::interaction(const interactionModel& model, bo
     model_(model)
 {
     const bool useAVX2 = wantAVX2 && __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-    loop_ = useAVX2 ? AVX2::chooseLoop<Real, dim>::of(model) : SSE2::chooseLoop<Real, dim>::of(model);
+    sums_ = useAVX2 ? AVX2::chooseLoop<Real, dim>::sums(model) : SSE2::chooseLoop<Real, dim>::sums(model);
+    extrapolation_ =
+        useAVX2
+      ? AVX2::chooseLoop<Real, dim>::extrapolation(model)
+      : SSE2::chooseLoop<Real, dim>::extrapolation(model);
     instructions_ = useAVX2 ? "AVX2" : "SSE2";
 }
 
 
-// * * * * * * * * * * * * * * * Member Operators  * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 template<class Real, int dim>
-void Foam::sph::interaction<Real, dim>::operator()
+void Foam::sph::interaction<Real, dim>::run
 (
+    loop what,
     const clusterNeighbours<dim>& neighbours,
     packedParticles<Real, dim>& particles,
     int nThreads
@@ -85,7 +94,7 @@ void Foam::sph::interaction<Real, dim>::operator()
     #pragma omp parallel for num_threads(nThreads) schedule(dynamic, 1)
     for (std::int64_t k = 0; k < nChunks; ++k)
     {
-        loop_(model_, neighbours, particles, k*chunk, std::min(neighbours.size(), (k + 1)*chunk));
+        what(model_, neighbours, particles, k*chunk, std::min(neighbours.size(), (k + 1)*chunk));
     }
 }
 

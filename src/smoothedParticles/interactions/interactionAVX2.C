@@ -8,6 +8,8 @@
 #include "interaction.H"
 #include "smoothingKernels.H"
 
+#include <algorithm>
+
 namespace Foam
 {
 namespace sph

@@ -129,12 +129,27 @@ void Foam::sph::clusterNeighbours<dim>::sort(const std::vector<position>& x, dou
 
 
 template<int dim>
+void Foam::sph::clusterNeighbours<dim>::renumber()
+{
+    std::int32_t next = 0;
+    for (std::int32_t& k : order_)
+    {
+        if (k >= 0)
+        {
+            k = next++;
+        }
+    }
+}
+
+
+template<int dim>
 void Foam::sph::clusterNeighbours<dim>::search(const std::vector<position>& x, double radius, int nThreads)
 {
     constexpr int last = dim - 1;
     const std::int64_t nClusters = boxes_.size();
     const double radius2 = radius*radius;
 
+    candidates_.resize(nThreads);
     found_.resize(nThreads);
     starts_.assign(order_.size() + 1, 0);
 
@@ -144,7 +159,7 @@ void Foam::sph::clusterNeighbours<dim>::search(const std::vector<position>& x, d
     {
         std::vector<std::int32_t>& found = found_[thread];
         found.clear();
-        std::vector<std::int32_t> candidates;
+        std::vector<std::int32_t>& candidates = candidates_[thread];
 
         const std::int64_t end = nClusters*(thread + 1)/nThreads;
         for (std::int64_t cluster = nClusters*thread/nThreads; cluster < end; ++cluster)

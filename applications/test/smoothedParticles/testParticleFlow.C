@@ -1,0 +1,378 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The liquid in particles: rest, free flight, collision, twins.
+
+#include <gtest/gtest.h>
+
+#include "particleFlow.H"
+
+#include <atomic>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <new>
+#include <stdexcept>
+
+using namespace Foam::sph;
+
+// * * * * * * * * * * * * * * *  Allocations  * * * * * * * * * * * * * * * //
+
+namespace
+{
+    std::atomic<long> nAllocations(0);
+}
+
+void* operator new(std::size_t n)
+{
+    ++nAllocations;
+    void* p = std::malloc(n ? n : 1);
+    if (!p)
+    {
+        throw std::bad_alloc();
+    }
+    return p;
+}
+
+void operator delete(void* p) noexcept
+{
+    std::free(p);
+}
+
+void operator delete(void* p, std::size_t) noexcept
+{
+    std::free(p);
+}
+
+
+namespace
+{
+
+constexpr double rho0 = 1000;
+constexpr double g = 9.81;
+
+
+template<int dim>
+particleFlowModel<dim> modelOf(double spacing, double c0)
+{
+    particleFlowModel<dim> m;
+    m.spacing = spacing;
+    m.rho0 = rho0;
+    m.interaction.h = 2*spacing;
+    m.interaction.c0 = c0;
+    m.interaction.viscosity = viscosityType::artificial;
+    m.interaction.alpha = 0.02;
+    m.interaction.diffusion = diffusionType::Fourtakas;
+    m.interaction.delta = 0.1;
+    m.singlePrecision = false;
+    return m;
+}
+
+
+//- A block of particles
+template<int dim>
+void addBlock
+(
+    particleState<dim>& s,
+    double spacing,
+    const std::array<double, dim>& corner,
+    const std::array<int, dim>& n,
+    const std::array<double, dim>& velocity
+)
+{
+    const int layers = dim == 3 ? n[dim - 1] : 1;
+    for (int i = 0; i < n[0]; ++i)
+    {
+        for (int j = 0; j < n[1]; ++j)
+        {
+            for (int k = 0; k < layers; ++k)
+            {
+                const int at[] = {i, j, k};
+                std::array<double, dim> x;
+                for (int d = 0; d < dim; ++d)
+                {
+                    x[d] = corner[d] + (at[d] + 0.5)*spacing;
+                }
+                s.x.push_back(x);
+                s.v.push_back(velocity);
+                s.density.push_back(0);
+                s.wall.push_back(particleState<dim>::fluid);
+            }
+        }
+    }
+}
+
+
+//- A square tank of side 1 full of liquid at rest, in which the pressure is hydrostatic; walls 0 (floor) and 1 (sides)
+particleState<2> tank(int n, double c0)
+{
+    constexpr int layers = 4;
+    const double spacing = 1.0/n;
+    const double B = rho0*c0*c0/7;
+    particleState<2> s;
+    addBlock<2>(s, spacing, {{0, 0}}, {{n, n}}, {{0, 0}});
+    for (std::size_t k = 0; k < s.size(); ++k)
+    {
+        s.density[k] = rho0*(std::pow(1 + rho0*g*(1 - s.x[k][1])/B, 1.0/7) - 1);
+    }
+    for (int i = -layers; i < n + layers; ++i)
+    {
+        for (int j = -layers; j < n + layers; ++j)
+        {
+            if (i >= 0 && i < n && j >= 0)
+            {
+                continue;
+            }
+            s.x.push_back({{(i + 0.5)*spacing, (j + 0.5)*spacing}});
+            s.v.push_back({{0, 0}});
+            s.density.push_back(0);
+            s.wall.push_back(j < 0 ? 0 : 1);
+        }
+    }
+    return s;
+}
+
+
+//- Two blocks that collide
+particleState<2> collision()
+{
+    particleState<2> s;
+    addBlock<2>(s, 0.01, {{0, 0}}, {{12, 12}}, {{1, 0.3}});
+    addBlock<2>(s, 0.01, {{0.14, 0.03}}, {{8, 16}}, {{-0.5, 0}});
+    return s;
+}
+
+
+template<int dim>
+void run(particleFlow<dim>& flow, double end)
+{
+    while (flow.time() < end)
+    {
+        flow.advance(std::min(flow.stableTimeStep(), end - flow.time()));
+    }
+}
+
+
+template<class Exception, class Function>
+std::string messageOf(const Function& f)
+{
+    try
+    {
+        f();
+    }
+    catch (const Exception& e)
+    {
+        return e.what();
+    }
+    return "nothing was thrown";
+}
+
+} // End anonymous namespace
+
+
+// A still tank stays still: pressure within 1 % of hydrostatics in the lower half, the floor carries the weight. The
+// exact pressure is that of the compressible liquid, 0.4 % above that of constant density at the depth of 0.75.
+TEST(ParticleFlow, stillTank)
+{
+    constexpr int n = 20;
+    const double c0 = 10*std::sqrt(g);
+    particleFlowModel<2> m = modelOf<2>(1.0/n, c0);
+    m.interaction.g = {{0, -g, 0}};
+    auto flow = newParticleFlow<2>(tank(n, c0), m, 1);
+
+    // Mean over a second: sound goes up and down
+    double weight = 0;
+    const particleState<2> start = flow->state();
+    for (std::size_t k = 0; k < start.size(); ++k)
+    {
+        weight += start.wall[k] == particleState<2>::fluid ? start.mass[k]*g : 0;
+    }
+    run(*flow, 1.0);
+    double error = 0;
+    double force = 0;
+    int samples = 0;
+    while (flow->time() < 2)
+    {
+        run(*flow, flow->time() + 0.01);
+        const particleState<2> s = flow->state();
+        double mean = 0;
+        int counted = 0;
+        for (std::size_t k = 0; k < s.size(); ++k)
+        {
+            const double depth = 1 - s.x[k][1];
+            if (s.wall[k] == particleState<2>::fluid && depth > 0.5)
+            {
+                // dp/dz = rho g with Murnaghan's rho(p)
+                const double B = rho0*c0*c0/7;
+                const double exact = B*(std::pow(1 + 6.0/7*rho0*g*depth/B, 7.0/6) - 1);
+                mean += s.pressure[k]/exact - 1;
+                ++counted;
+            }
+        }
+        error += mean/counted;
+        force += flow->wallForces()[0][1];
+        ++samples;
+    }
+    EXPECT_LT(std::abs(error/samples), 0.01);
+    EXPECT_NEAR(-force/samples/weight, 1, 0.01);
+    EXPECT_LT(flow->maxSpeed(), 0.01*std::sqrt(g));
+}
+
+
+// Without walls and pressure a block falls as a point does
+TEST(ParticleFlow, freeFlightIsExact)
+{
+    particleState<3> s;
+    addBlock<3>(s, 0.01, {{0, 0, 0}}, {{6, 5, 4}}, {{1, 2, 0.5}});
+    particleFlowModel<3> m = modelOf<3>(0.01, 30);
+    m.interaction.g = {{0, 0, -g}};
+    m.interaction.diffusion = diffusionType::Molteni;
+    auto flow = newParticleFlow<3>(s, m, 2);
+    run(*flow, 0.1);
+    const particleState<3> end = flow->state();
+    const double t = flow->time();
+    for (std::size_t k = 0; k < s.size(); ++k)
+    {
+        EXPECT_NEAR(end.v[k][2], 0.5 - g*t, 1e-11);
+        EXPECT_NEAR(end.v[k][0], 1, 1e-12);
+        EXPECT_NEAR(end.x[k][2], s.x[k][2] + 0.5*t - 0.5*g*t*t, 1e-12);
+        EXPECT_NEAR(end.x[k][1], s.x[k][1] + 2*t, 1e-12);
+    }
+}
+
+
+// Colliding drops keep their momentum to round-off and lose energy
+TEST(ParticleFlow, collisionKeepsMomentum)
+{
+    particleFlowModel<2> m = modelOf<2>(0.01, 30);
+    auto flow = newParticleFlow<2>(collision(), m, 2);
+    auto momentum = [&](int d)
+    {
+        const particleState<2> s = flow->state();
+        double sum = 0;
+        for (std::size_t k = 0; k < s.size(); ++k)
+        {
+            sum += s.mass[k]*s.v[k][d];
+        }
+        return sum;
+    };
+    const double before[] = {momentum(0), momentum(1)};
+    const particleFlow<2>::energies start = flow->energy();
+    run(*flow, 0.06);
+    const particleFlow<2>::energies end = flow->energy();
+    EXPECT_NEAR(momentum(0), before[0], 1e-11*std::abs(before[0]));
+    EXPECT_NEAR(momentum(1), before[1], 1e-11*std::abs(before[0]));
+    EXPECT_LT(end.kinetic + end.internal, start.kinetic + start.internal);
+    EXPECT_LT(end.kinetic, 0.95*start.kinetic);
+    EXPECT_GT(end.kinetic, 0.3*start.kinetic);
+}
+
+
+TEST(ParticleFlow, twins)
+{
+    particleFlowModel<2> m = modelOf<2>(0.01, 30);
+    auto one = newParticleFlow<2>(collision(), m, 1);
+    auto two = newParticleFlow<2>(collision(), m, 2);
+    m.singlePrecision = true;
+    auto single = newParticleFlow<2>(collision(), m, 2);
+    run(*one, 0.03);
+    run(*two, 0.03);
+    run(*single, 0.03);
+
+    // The number of threads changes nothing
+    const particleState<2> a = one->state();
+    const particleState<2> b = two->state();
+    EXPECT_EQ(a.x, b.x);
+    EXPECT_EQ(a.v, b.v);
+    EXPECT_EQ(a.density, b.density);
+
+    // Stopped and started again at the same time
+    m.singlePrecision = false;
+    auto first = newParticleFlow<2>(collision(), m, 2);
+    run(*first, 0.015);
+    auto second = newParticleFlow<2>(first->state(), m, 2);
+    run(*first, 0.03);
+    run(*second, 0.03);
+    const particleState<2> whole = first->state();
+    const particleState<2> split = second->state();
+    const particleState<2> f = single->state();
+    double restarted = 0;
+    double inSingle = 0;
+    for (std::size_t k = 0; k < whole.size(); ++k)
+    {
+        for (int d = 0; d < 2; ++d)
+        {
+            restarted = std::max(restarted, std::abs(whole.x[k][d] - split.x[k][d]));
+            inSingle = std::max(inSingle, std::abs(a.x[k][d] - f.x[k][d]));
+        }
+    }
+    EXPECT_LT(restarted, 1e-12);
+    EXPECT_LT(inSingle, 1e-3*m.spacing);
+    EXPECT_GT(inSingle, 0);
+}
+
+
+TEST(ParticleFlow, stepsDoNotAllocate)
+{
+    particleFlowModel<2> m = modelOf<2>(0.01, 30);
+    auto flow = newParticleFlow<2>(collision(), m, 1);
+    run(*flow, 0.03);
+    const long searches = flow->nSearches();
+    const long before = nAllocations;
+    for (int k = 0; k < 20; ++k)
+    {
+        flow->advance(0.5*flow->stableTimeStep());
+    }
+    EXPECT_EQ(nAllocations - before, 0);
+    EXPECT_GT(searches, 1);
+}
+
+
+TEST(ParticleFlow, badInputIsRefused)
+{
+    const particleFlowModel<2> good = modelOf<2>(0.01, 30);
+    auto refusal = [&](void (*spoil)(particleFlowModel<2>&))
+    {
+        particleFlowModel<2> m = good;
+        spoil(m);
+        return messageOf<std::invalid_argument>([&]{newParticleFlow<2>(collision(), m, 1);});
+    };
+    EXPECT_EQ(refusal([](particleFlowModel<2>& m){m.spacing = 0;}), "spacing is 0: expected a number above 0");
+    EXPECT_EQ(refusal([](particleFlowModel<2>& m){m.rho0 = -1;}), "rho0 is -1: expected a number above 0");
+    EXPECT_EQ(refusal([](particleFlowModel<2>& m){m.interaction.gamma = 1;}), "gamma is 1: expected a number above 1");
+    EXPECT_EQ(refusal([](particleFlowModel<2>& m){m.interaction.h = 0.2;}), "h is 20: expected 1 to 10 spacings");
+    EXPECT_EQ(refusal([](particleFlowModel<2>& m){m.interaction.alpha = -1;}), "alpha is -1: expected 0 or above");
+    EXPECT_EQ
+    (
+        refusal([](particleFlowModel<2>& m){m.interaction.c0 = std::numeric_limits<double>::quiet_NaN();}),
+        "c0 is nan: expected a number above 0"
+    );
+    EXPECT_NE
+    (
+        messageOf<std::invalid_argument>([&]{newParticleFlow<2>(particleState<2>(), good, 1);}).find("no particle"),
+        std::string::npos
+    );
+
+    particleState<2> broken = collision();
+    broken.v[7][1] = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ
+    (
+        messageOf<std::invalid_argument>([&]{newParticleFlow<2>(broken, good, 1);}),
+        "particle 7 starts with a position, velocity or density that is not a number"
+    );
+
+    // A run that blows up stops and says where and when
+    auto blown = newParticleFlow<2>(collision(), good, 1);
+    const std::string message = messageOf<std::runtime_error>
+    (
+        [&]
+        {
+            for (int k = 0; k < 100; ++k)
+            {
+                blown->advance(0.1);
+            }
+        }
+    );
+    EXPECT_NE(message.find("that is not a number at 0."), std::string::npos) << message;
+
+    auto flow = newParticleFlow<2>(collision(), good, 1);
+    EXPECT_THROW(flow->advance(-1), std::invalid_argument);
+}
