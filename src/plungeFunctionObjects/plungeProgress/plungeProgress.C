@@ -4,6 +4,7 @@
 #include "addToRunTimeSelectionTable.H"
 #include "fvcSurfaceIntegrate.H"
 #include "surfaceFields.H"
+#include "timeLeft.H"
 #include "volFields.H"
 
 #include <iomanip>
@@ -19,24 +20,6 @@ namespace functionObjects
     addToRunTimeSelectionTable(functionObject, plungeProgress, dictionary);
 }
 }
-
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace
-{
-
-//- Seconds as h:mm:ss
-std::string clockTime(const Foam::scalar seconds)
-{
-    const long s = std::lround(seconds);
-    std::ostringstream os;
-    os  << s/3600 << ':' << std::setfill('0') << std::setw(2) << (s/60) % 60
-        << ':' << std::setw(2) << s % 60;
-    return os.str();
-}
-
-} // End anonymous namespace
 
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -142,7 +125,7 @@ bool Foam::functionObjects::plungeProgress::execute()
     }
     if (pace_ > 0)
     {
-        os  << " | left " << clockTime((tEnd - t)/pace_);
+        os  << " | left " << hoursMinutesSeconds((tEnd - t)/pace_);
     }
     Log << os.str().c_str() << endl;
 
