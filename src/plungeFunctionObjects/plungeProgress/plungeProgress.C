@@ -2,10 +2,7 @@
 
 #include "plungeProgress.H"
 #include "addToRunTimeSelectionTable.H"
-#include "fvcSurfaceIntegrate.H"
-#include "surfaceFields.H"
 #include "timeLeft.H"
-#include "volFields.H"
 
 #include <iomanip>
 #include <sstream>
@@ -40,21 +37,6 @@ Foam::functionObjects::plungeProgress::plungeProgress
 }
 
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-Foam::scalar Foam::functionObjects::plungeProgress::courantNumber
-(
-    const surfaceScalarField& phi,
-    const scalarField& indicator
-) const
-{
-    const scalarField sumPhi(fvc::surfaceSum(mag(phi))().primitiveField());
-    return
-        0.5*time_.deltaTValue()
-       *gMax((indicator*sumPhi/mesh_.V().field())());
-}
-
-
 // * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * * * //
 
 bool Foam::functionObjects::plungeProgress::read(const dictionary& dict)
@@ -81,33 +63,13 @@ bool Foam::functionObjects::plungeProgress::execute()
         lastClock_ = clock;
     }
 
-    const auto& phi = mesh_.lookupObject<surfaceScalarField>("phi");
-    const IOdictionary& transport =
-        mesh_.lookupObject<IOdictionary>("transportProperties");
-    const scalarField& alpha =
-        mesh_.lookupObject<volScalarField>
-        (
-            IOobject::groupName
-            (
-                "alpha",
-                transport.get<wordList>("phases")[0]
-            )
-        ).primitiveField();
-
     std::ostringstream os;
     os  << std::setprecision(4)
         << "Progress: t = " << 1e3*t << " ms ("
         << std::setprecision(3)
         << 100*(t - time_.startTime().value())
           /max(tEnd - time_.startTime().value(), VSMALL)
-        << " %), dt = " << 1e6*time_.deltaTValue() << " us, Co = "
-        << courantNumber(phi, scalarField(mesh_.nCells(), 1))
-        << ", interface " << courantNumber(phi, pos0(alpha - 0.01)*pos0(0.99 - alpha)());
-    if (mesh_.moving())
-    {
-        os  << ", mesh "
-            << courantNumber(mesh_.phi(), scalarField(mesh_.nCells(), 1));
-    }
+        << " %), dt = " << 1e6*time_.deltaTValue() << " us";
     if (!trajectory_.empty())
     {
         os  << std::setprecision(4) << " | depth "
