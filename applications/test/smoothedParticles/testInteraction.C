@@ -19,6 +19,13 @@ namespace
 constexpr double spacing = 0.01;
 constexpr double rho0 = 1000;
 
+//- No passive particles
+std::vector<unsigned char> none(std::size_t n)
+{
+    return std::vector<unsigned char>(n, 0);
+}
+
+
 template<int dim>
 struct cloud
 {
@@ -145,7 +152,7 @@ double largestError(const cloud<dim>& c, const interactionModel& m, bool AVX2, d
 {
     clusterNeighbours<dim> neighbours;
     neighbours.sort(c.x, spacing);
-    neighbours.search(c.x, 2.2*m.h, 1);
+    neighbours.search(c.x, none(c.x.size()), 2.2*m.h, 1);
     auto particles = c.template packed<Real>(neighbours);
     const interaction<Real, dim> interact(m, AVX2);
     interact.sum(neighbours, particles, 1);
@@ -212,7 +219,7 @@ void checkNeighbours()
     const double radius = 2.7*spacing;
     clusterNeighbours<dim> neighbours;
     neighbours.sort(c.x, spacing);
-    neighbours.search(c.x, radius, 1);
+    neighbours.search(c.x, none(c.x.size()), radius, 1);
 
     // Every particle has one place
     std::set<int> seen;
@@ -263,7 +270,7 @@ void checkNeighbours()
     // Whatever the number of threads
     clusterNeighbours<dim> shared;
     shared.sort(c.x, spacing);
-    shared.search(c.x, radius, 3);
+    shared.search(c.x, none(c.x.size()), radius, 3);
     ASSERT_EQ(shared.order(), neighbours.order());
     for (std::size_t i = 0; i < neighbours.size(); ++i)
     {
@@ -279,7 +286,7 @@ void checkTwins(double momentumTolerance)
     interactionModel m = models(1.5*spacing)[7];
     clusterNeighbours<dim> neighbours;
     neighbours.sort(c.x, spacing);
-    neighbours.search(c.x, 2.2*m.h, 1);
+    neighbours.search(c.x, none(c.x.size()), 2.2*m.h, 1);
     auto once = c.template packed<Real>(neighbours);
     auto again = c.template packed<Real>(neighbours);
     const interaction<Real, dim> interact(m);
@@ -325,17 +332,56 @@ TEST(ClusterNeighbours, inSpace)
 
 TEST(ClusterNeighbours, fewParticles)
 {
-    clusterNeighbours<3> none;
-    none.sort({}, spacing);
-    none.search({}, spacing, 2);
-    EXPECT_EQ(none.size(), 0u);
+    clusterNeighbours<3> empty;
+    empty.sort({}, spacing);
+    empty.search({}, {}, spacing, 2);
+    EXPECT_EQ(empty.size(), 0u);
 
     const std::vector<std::array<double, 3>> one = {{{0.1, 0.2, 0.3}}};
     clusterNeighbours<3> neighbours;
     neighbours.sort(one, spacing);
-    neighbours.search(one, spacing, 2);
+    neighbours.search(one, none(1), spacing, 2);
     EXPECT_EQ(neighbours.size(), std::size_t(clusterSize));
     EXPECT_EQ(neighbours.end(0) - neighbours.begin(0), 1);
+}
+
+
+// What is passive has only what is not for a neighbour, and that all of it
+TEST(ClusterNeighbours, passiveParticles)
+{
+    const cloud<2> c(40);
+    std::vector<unsigned char> passive(c.x.size());
+    for (std::size_t k = 0; k < passive.size(); ++k)
+    {
+        passive[k] = c.x[k][0] < 0.15;
+    }
+    const double radius = 2.7*spacing;
+    clusterNeighbours<2> neighbours, all;
+    neighbours.sort(c.x, spacing);
+    neighbours.search(c.x, passive, radius, 1);
+    all.sort(c.x, spacing);
+    all.search(c.x, none(c.x.size()), radius, 1);
+    EXPECT_LT(neighbours.nPairs(), 0.8*all.nPairs());
+
+    for (std::size_t i = 0; i < neighbours.size(); ++i)
+    {
+        const int k = neighbours.order()[i];
+        if (k < 0)
+        {
+            continue;
+        }
+        std::set<std::int32_t> found(neighbours.begin(i), neighbours.end(i));
+        for (const std::int32_t* cluster = all.begin(i); cluster != all.end(i); ++cluster)
+        {
+            bool active = false;
+            for (int lane = 0; lane < clusterSize; ++lane)
+            {
+                const int other = all.order()[*cluster*clusterSize + lane];
+                active = active || (other >= 0 && !passive[other]);
+            }
+            EXPECT_EQ(found.count(*cluster) == 1, active || !passive[k]);
+        }
+    }
 }
 
 

@@ -107,6 +107,7 @@ class flowIn
 
         std::vector<std::int32_t> original_;
         std::vector<std::int32_t> wall_;
+        std::vector<unsigned char> passive_;
         std::vector<vector> x_, v_;
         std::vector<double> density_, mass_;
 
@@ -170,7 +171,12 @@ class flowIn
         reorder(density_, order, densityOld_);
         reorder(mass_, order, densityOld_);
         neighbours_.renumber();
-        neighbours_.search(x_, supportRadius() + skinRatio*model_.spacing, nThreads_);
+        passive_.resize(x_.size());
+        for (std::size_t k = 0; k < x_.size(); ++k)
+        {
+            passive_[k] = !isFluid(k);
+        }
+        neighbours_.search(x_, passive_, supportRadius() + skinRatio*model_.spacing, nThreads_);
 
         place_.resize(x_.size());
         packed_.resize(neighbours_.size());

@@ -143,11 +143,26 @@ void Foam::sph::clusterNeighbours<dim>::renumber()
 
 
 template<int dim>
-void Foam::sph::clusterNeighbours<dim>::search(const std::vector<position>& x, double radius, int nThreads)
+void Foam::sph::clusterNeighbours<dim>::search
+(
+    const std::vector<position>& x,
+    const std::vector<unsigned char>& passive,
+    double radius,
+    int nThreads
+)
 {
     constexpr int last = dim - 1;
     const std::int64_t nClusters = boxes_.size();
     const double radius2 = radius*radius;
+
+    passive_.assign(nClusters, true);
+    for (std::size_t i = 0; i < order_.size(); ++i)
+    {
+        if (order_[i] >= 0 && !passive[order_[i]])
+        {
+            passive_[i/clusterSize] = false;
+        }
+    }
 
     candidates_.resize(nThreads);
     found_.resize(nThreads);
@@ -223,8 +238,13 @@ void Foam::sph::clusterNeighbours<dim>::search(const std::vector<position>& x, d
                 if (order_[place] >= 0)
                 {
                     const position& xi = x[order_[place]];
+                    const bool isPassive = passive[order_[place]];
                     for (const std::int32_t c : candidates)
                     {
+                        if (isPassive && passive_[c])
+                        {
+                            continue;
+                        }
                         double distance2 = 0;
                         for (int d = 0; d < dim; ++d)
                         {
@@ -261,7 +281,7 @@ std::size_t Foam::sph::clusterNeighbours<dim>::bytes() const
     std::size_t result =
         (order_.capacity() + clusters_.capacity() + firstCluster_.capacity() + sorted_.capacity())*sizeof(std::int32_t)
       + (starts_.capacity() + keys_.capacity())*sizeof(std::int64_t)
-      + boxes_.capacity()*sizeof(box);
+      + boxes_.capacity()*sizeof(box) + passive_.capacity();
     for (const auto& found : found_)
     {
         result += found.capacity()*sizeof(std::int32_t);
