@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "particleProperties.H"
+
+#include "particleSetUp.H"
+
+#include "Enum.H"
+#include "fluidSelection.H"
+#include "uniformDimensionedFields.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+using namespace Foam::smoothedParticles;
+
+const Enum<kernelType> kernelNames
+({
+    { kernelType::WendlandC2, "WendlandC2" },
+    { kernelType::WendlandC4, "WendlandC4" },
+    { kernelType::cubicSpline, "cubicSpline" },
+});
+
+const Enum<viscosityType> viscosityNames
+({
+    { viscosityType::none, "none" },
+    { viscosityType::laminar, "laminar" },
+    { viscosityType::artificial, "artificial" },
+});
+
+const Enum<diffusionType> diffusionNames
+({
+    { diffusionType::none, "none" },
+    { diffusionType::Molteni, "Molteni" },
+    { diffusionType::Fourtakas, "Fourtakas" },
+});
+
+//- noSlip?
+const Enum<bool> wallNames
+({
+    { false, "slip" },
+    { true, "noSlip" },
+});
+
+//- singlePrecision?
+const Enum<bool> precisionNames
+({
+    { true, "single" },
+    { false, "double" },
+});
+
+
+void refuse(const dictionary& dict, const word& entry, const std::string& value, const std::string& expected)
+{
+    FatalIOErrorInFunction(dict)
+        << "Entry " << entry << " is " << value.c_str() << nl
+        << "Expected: " << expected.c_str() << exit(FatalIOError);
+}
+
+
+scalar positive(const dictionary& dict, const word& entry, const scalar value)
+{
+    if (!(value > 0) || value > GREAT)
+    {
+        refuse(dict, entry, std::to_string(value), "a positive number.");
+    }
+    return value;
+}
+
+
+scalar readPositive(const dictionary& dict, const word& entry)
+{
+    return positive(dict, entry, dict.get<scalar>(entry));
+}
+
+
+//- A coefficient that a choice needs, which is refused without that choice
+scalar readCoefficient(const dictionary& dict, const word& entry, const bool needed, const char* choice)
+{
+    if (needed)
+    {
+        return readPositive(dict, entry);
+    }
+    if (dict.found(entry))
+    {
+        refuse(dict, entry, "given", std::string("no such entry, or ") + choice + ".");
+    }
+    return 0;
+}
+
+
+vector readGravity(const Time& runTime)
+{
+    return uniformDimensionedVectorField
+    (
+        IOobject("g", runTime.constant(), runTime, IOobject::MUST_READ, IOobject::NO_WRITE, false)
+    ).value();
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::smoothedParticles::particleProperties::readLiquid(const dictionary& dict)
+{
+    wordHashSet known({"gamma"});
+    interactionModel& m = common_.interaction;
+    m.gamma = dict.lookupOrDefault<scalar>("gamma", 7);
+    if (dict.found("fluid") || dict.found("composition"))
+    {
+        known += titan::fluidSelection::keywords;
+        titan::checkKeywords(dict, known);
+        const titan::fluidSelection liquid(dict);
+        if (liquid.ph() != titan::phase::liquid)
+        {
+            refuse(dict, "fluid or composition", liquid.name() + ", a gas", "a liquid.");
+        }
+        common_.rho0 = liquid.value(titan::property::density, dict);
+        m.mu = liquid.value(titan::property::viscosity, dict);
+        liquid.print(Info, {titan::property::density, titan::property::viscosity, titan::property::soundSpeed});
+        return;
+    }
+
+    known.insert("rho");
+    known.insert("mu");
+    titan::checkKeywords(dict, known);
+    common_.rho0 = readPositive(dict, "rho");
+    m.mu = dict.found("mu") || m.viscosity == viscosityType::laminar ? readPositive(dict, "mu") : 0;
+}
+
+
+void Foam::smoothedParticles::particleProperties::readSoundSpeed(const dictionary& dict)
+{
+    titan::checkKeywords(dict, wordHashSet({"c0", "maxSpeed", "factor"}));
+    if (dict.found("c0") == dict.found("maxSpeed"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entries c0 and maxSpeed are " << (dict.found("c0") ? "both" : "neither") << " given" << nl
+            << "Expected: one of them: c0, or maxSpeed, the highest speed that is expected [m/s], and optionally factor,"
+            << " c0 over it (10)." << exit(FatalIOError);
+    }
+    interactionModel& m = common_.interaction;
+    if (dict.found("c0"))
+    {
+        m.c0 = readPositive(dict, "c0");
+        readCoefficient(dict, "factor", false, "maxSpeed instead of c0");
+    }
+    else
+    {
+        expectedSpeed_ = readPositive(dict, "maxSpeed");
+        m.c0 = positive(dict, "factor", dict.lookupOrDefault<scalar>("factor", 10))*expectedSpeed_;
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::smoothedParticles::particleProperties::particleProperties(const Time& runTime)
+:
+    dict_
+    (
+        IOobject
+        (
+            "particleProperties",
+            runTime.constant(),
+            runTime,
+            IOobject::MUST_READ,
+            IOobject::NO_WRITE,
+            false
+        )
+    ),
+    g_(readGravity(runTime)),
+    dimensions_(dict_.get<label>("dimensions"))
+{
+    titan::checkKeywords
+    (
+        dict_,
+        wordHashSet
+        ({
+            "FoamFile", "dimensions", "kernel", "smoothingLength", "viscosity", "alpha", "densityDiffusion", "delta",
+            "walls", "precision", "Courant", "liquid", "speedOfSound", "geometry", "outputs"
+        })
+    );
+    if (dimensions_ != 2 && dimensions_ != 3)
+    {
+        refuse(dict_, "dimensions", std::to_string(dimensions_), "2 or 3.");
+    }
+    if (dimensions_ == 2 && g_.z() != 0)
+    {
+        refuse(dict_, "dimensions", "2, but the gravity of constant/g has a component along z", "gravity in the plane of x and y.");
+    }
+
+    common_.spacing = readSpacing(geometry());
+    common_.Courant = positive(dict_, "Courant", dict_.lookupOrDefault<scalar>("Courant", common_.Courant));
+    common_.singlePrecision = precisionNames.lookupOrDefault("precision", dict_, true);
+
+    interactionModel& m = common_.interaction;
+    m.kernel = kernelNames.lookupOrDefault("kernel", dict_, kernelType::WendlandC2);
+    m.h =
+        common_.spacing
+       *positive(dict_, "smoothingLength", dict_.lookupOrDefault<scalar>("smoothingLength", 1.5));
+    m.viscosity = viscosityNames.get("viscosity", dict_);
+    m.alpha = readCoefficient(dict_, "alpha", m.viscosity == viscosityType::artificial, "viscosity artificial");
+    m.diffusion = diffusionNames.get("densityDiffusion", dict_);
+    m.delta =
+        readCoefficient(dict_, "delta", m.diffusion != diffusionType::none, "densityDiffusion Molteni or Fourtakas");
+    m.noSlip = wallNames.get("walls", dict_);
+    readLiquid(dict_.subDict("liquid"));
+    readSoundSpeed(dict_.subDict("speedOfSound"));
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+template<int dim>
+Foam::smoothedParticles::particleFlowModel<dim> Foam::smoothedParticles::particleProperties::model() const
+{
+    particleFlowModel<dim> result;
+    result.interaction = common_.interaction;
+    for (int d = 0; d < 3; ++d)
+    {
+        result.interaction.g[d] = g_[d];
+    }
+    result.spacing = common_.spacing;
+    result.rho0 = common_.rho0;
+    result.Courant = common_.Courant;
+    result.singlePrecision = common_.singlePrecision;
+    return result;
+}
+
+
+void Foam::smoothedParticles::particleProperties::print(Ostream& os) const
+{
+    const interactionModel& m = common_.interaction;
+    os  << "Method: " << dimensions_ << " dimensions, " << kernelNames[m.kernel] << ", viscosity "
+        << viscosityNames[m.viscosity] << ", density diffusion " << diffusionNames[m.diffusion] << ", walls "
+        << wallNames[m.noSlip] << ", " << precisionNames[common_.singlePrecision] << " precision" << nl
+        << "Lengths: spacing " << common_.spacing << " m, smoothing length " << m.h << " m" << nl
+        << "Liquid: density " << common_.rho0 << " kg/m3, viscosity "
+        << (m.viscosity == viscosityType::laminar ? m.mu : scalar(0)) << " Pa s, gamma " << m.gamma << nl
+        << "Speed of sound: c0 = " << m.c0 << " m/s, a tenth of which is " << boundOnSpeed() << " m/s" << endl;
+    if (expectedSpeed_ > boundOnSpeed()*(1 + SMALL))
+    {
+        WarningInFunction
+            << "The flow is expected to reach " << expectedSpeed_ << " m/s: c0 is below ten times that." << endl;
+    }
+}
+
+
+template Foam::smoothedParticles::particleFlowModel<2> Foam::smoothedParticles::particleProperties::model<2>() const;
+template Foam::smoothedParticles::particleFlowModel<3> Foam::smoothedParticles::particleProperties::model<3>() const;
+
+// ************************************************************************* //
