@@ -11,7 +11,7 @@
 #include <random>
 #include <set>
 
-using namespace Foam::sph;
+using namespace Foam::smoothedParticles;
 
 namespace
 {

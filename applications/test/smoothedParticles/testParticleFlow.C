@@ -12,7 +12,7 @@
 #include <new>
 #include <stdexcept>
 
-using namespace Foam::sph;
+using namespace Foam::smoothedParticles;
 
 // * * * * * * * * * * * * * * *  Allocations  * * * * * * * * * * * * * * * //
 

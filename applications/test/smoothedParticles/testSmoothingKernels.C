@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-using namespace Foam::sph;
+using namespace Foam::smoothedParticles;
 
 namespace
 {

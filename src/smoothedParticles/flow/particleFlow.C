@@ -12,7 +12,7 @@
 namespace
 {
 
-using namespace Foam::sph;
+using namespace Foam::smoothedParticles;
 
 // Search radius beyond the support, over the spacing: larger is slower to sum, and searched more seldom
 constexpr double skinRatio = 0.3;
@@ -611,7 +611,7 @@ public:
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
 template<int dim>
-std::unique_ptr<Foam::sph::particleFlow<dim>> Foam::sph::newParticleFlow
+std::unique_ptr<Foam::smoothedParticles::particleFlow<dim>> Foam::smoothedParticles::newParticleFlow
 (
     const particleState<dim>& start,
     const particleFlowModel<dim>& model,
@@ -669,8 +669,8 @@ std::unique_ptr<Foam::sph::particleFlow<dim>> Foam::sph::newParticleFlow
 }
 
 
-template std::unique_ptr<Foam::sph::particleFlow<2>> Foam::sph::newParticleFlow<2>
+template std::unique_ptr<Foam::smoothedParticles::particleFlow<2>> Foam::smoothedParticles::newParticleFlow<2>
 (const particleState<2>&, const particleFlowModel<2>&, int);
 
-template std::unique_ptr<Foam::sph::particleFlow<3>> Foam::sph::newParticleFlow<3>
+template std::unique_ptr<Foam::smoothedParticles::particleFlow<3>> Foam::smoothedParticles::newParticleFlow<3>
 (const particleState<3>&, const particleFlowModel<3>&, int);

@@ -10,7 +10,7 @@
 
 namespace Foam
 {
-namespace sph
+namespace smoothedParticles
 {
 
 namespace SSE2
@@ -29,14 +29,14 @@ namespace AVX2
     };
 }
 
-} // End namespace sph
+} // End namespace smoothedParticles
 } // End namespace Foam
 
 
 // * * * * * * * * * * * * * * Packed Particles  * * * * * * * * * * * * * * //
 
 template<class Real, int dim>
-void Foam::sph::packedParticles<Real, dim>::resize(std::size_t nPlaces)
+void Foam::smoothedParticles::packedParticles<Real, dim>::resize(std::size_t nPlaces)
 {
     // Far enough for any support, near enough for its square
     constexpr Real farAway = 1e15;
@@ -63,7 +63,7 @@ void Foam::sph::packedParticles<Real, dim>::resize(std::size_t nPlaces)
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 template<class Real, int dim>
-Foam::sph::interaction<Real, dim>::interaction(const interactionModel& model, bool wantAVX2)
+Foam::smoothedParticles::interaction<Real, dim>::interaction(const interactionModel& model, bool wantAVX2)
 :
     model_(model)
 {
@@ -80,7 +80,7 @@ Foam::sph::interaction<Real, dim>::interaction(const interactionModel& model, bo
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 template<class Real, int dim>
-void Foam::sph::interaction<Real, dim>::run
+void Foam::smoothedParticles::interaction<Real, dim>::run
 (
     loop what,
     const clusterNeighbours<dim>& neighbours,
@@ -99,12 +99,12 @@ void Foam::sph::interaction<Real, dim>::run
 }
 
 
-template class Foam::sph::packedParticles<float, 2>;
-template class Foam::sph::packedParticles<float, 3>;
-template class Foam::sph::packedParticles<double, 2>;
-template class Foam::sph::packedParticles<double, 3>;
+template class Foam::smoothedParticles::packedParticles<float, 2>;
+template class Foam::smoothedParticles::packedParticles<float, 3>;
+template class Foam::smoothedParticles::packedParticles<double, 2>;
+template class Foam::smoothedParticles::packedParticles<double, 3>;
 
-template class Foam::sph::interaction<float, 2>;
-template class Foam::sph::interaction<float, 3>;
-template class Foam::sph::interaction<double, 2>;
-template class Foam::sph::interaction<double, 3>;
+template class Foam::smoothedParticles::interaction<float, 2>;
+template class Foam::smoothedParticles::interaction<float, 3>;
+template class Foam::smoothedParticles::interaction<double, 2>;
+template class Foam::smoothedParticles::interaction<double, 3>;

@@ -12,7 +12,7 @@
 
 namespace Foam
 {
-namespace sph
+namespace smoothedParticles
 {
 namespace AVX2
 {
@@ -25,5 +25,5 @@ template struct chooseLoop<double, 2>;
 template struct chooseLoop<double, 3>;
 
 } // End namespace AVX2
-} // End namespace sph
+} // End namespace smoothedParticles
 } // End namespace Foam

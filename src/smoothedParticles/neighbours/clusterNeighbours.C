@@ -23,7 +23,7 @@ double square(double low, double high, const Position& x, int d)
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 template<int dim>
-int Foam::sph::clusterNeighbours<dim>::column(double x, int d) const
+int Foam::smoothedParticles::clusterNeighbours<dim>::column(double x, int d) const
 {
     const int c = static_cast<int>((x - origin_[d])/columnWidth_);
     return std::min(std::max(c, 0), nColumns_[d] - 1);
@@ -33,7 +33,7 @@ int Foam::sph::clusterNeighbours<dim>::column(double x, int d) const
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 template<int dim>
-void Foam::sph::clusterNeighbours<dim>::sort(const std::vector<position>& x, double spacing)
+void Foam::smoothedParticles::clusterNeighbours<dim>::sort(const std::vector<position>& x, double spacing)
 {
     constexpr int last = dim - 1;
     const std::size_t n = x.size();
@@ -129,7 +129,7 @@ void Foam::sph::clusterNeighbours<dim>::sort(const std::vector<position>& x, dou
 
 
 template<int dim>
-void Foam::sph::clusterNeighbours<dim>::renumber()
+void Foam::smoothedParticles::clusterNeighbours<dim>::renumber()
 {
     std::int32_t next = 0;
     for (std::int32_t& k : order_)
@@ -143,7 +143,7 @@ void Foam::sph::clusterNeighbours<dim>::renumber()
 
 
 template<int dim>
-void Foam::sph::clusterNeighbours<dim>::search
+void Foam::smoothedParticles::clusterNeighbours<dim>::search
 (
     const std::vector<position>& x,
     const std::vector<unsigned char>& passive,
@@ -276,7 +276,7 @@ void Foam::sph::clusterNeighbours<dim>::search
 
 
 template<int dim>
-std::size_t Foam::sph::clusterNeighbours<dim>::bytes() const
+std::size_t Foam::smoothedParticles::clusterNeighbours<dim>::bytes() const
 {
     std::size_t result =
         (order_.capacity() + clusters_.capacity() + firstCluster_.capacity() + sorted_.capacity())*sizeof(std::int32_t)
@@ -290,5 +290,5 @@ std::size_t Foam::sph::clusterNeighbours<dim>::bytes() const
 }
 
 
-template class Foam::sph::clusterNeighbours<2>;
-template class Foam::sph::clusterNeighbours<3>;
+template class Foam::smoothedParticles::clusterNeighbours<2>;
+template class Foam::smoothedParticles::clusterNeighbours<3>;

@@ -212,8 +212,8 @@ void Foam::smoothedParticles::particleTables<dim>::writeProbes(const particleSta
                 continue;
             }
             const double weight =
-                WendlandC2::normalisation(dim)*WendlandC2::w<double>(q)*std::pow(model_.spacing/h, dim)
-               *model_.rho0/(model_.rho0 + state.density[k]);
+                WendlandC2::normalisation(dim)*WendlandC2::w<double>(q)/std::pow(h, dim)
+               *state.mass[k]/(model_.rho0 + state.density[k]);
             share += weight;
             pressure += weight*state.pressure[k];
             for (int d = 0; d < dim; ++d)

@@ -37,6 +37,8 @@ Foam::smoothedParticles::particleSimulation<dim>::particleSimulation
         << scalar(flow_->bytes())/1048576 << " MiB" << nl << endl;
 
     checkSpeed();
+    // By its time step Time knows whether the end is reached
+    chooseTimeStep();
     tables_.write(*flow_, soundSpeedHolds_);
     vtk_.write(flow_->state(), model_.rho0);
 }
