@@ -2,6 +2,7 @@
 """Every case and the stock tutorials, a few steps: they run, and the result is a flow."""
 import re
 from pathlib import Path
+from typing import Tuple
 
 import numpy as np
 import pytest
@@ -9,22 +10,41 @@ import pytest
 from conftest import REPOSITORY
 from tutorials import cellVolumes, compare, foam, setEntry, setUp, solve, steps
 
-# How each case runs a few steps.
+# How each case of plungeFoam runs a few steps.
 CASES = {
     "gannetPlunge": ("-resolution", "0.7", "-set", "dive.travel=0.02", "-set", "output.frames=1"),
 }
 
+# Those of plungeSPH, with the options of each run.
+PARTICLES = [("stillTank", ()), ("damBreakParticles", ()), ("damBreakParticles", ("-dimensions", 3))]
+
+
+def test_all_cases_run() -> None:
+    assert {path.parent.name for path in REPOSITORY.glob("cases/*/Allrun")} == {*CASES, *(case for case, _ in PARTICLES)}
+
 
 @pytest.mark.parametrize("ranks", [1, 2])
-@pytest.mark.parametrize("case", sorted(path.parent.name for path in REPOSITORY.glob("cases/*/Allrun")))
+@pytest.mark.parametrize("case", sorted(CASES))
 def test_case(case: str, ranks: int, tmp_path: Path) -> None:
-    assert case in CASES, f"cases/{case}: expected its arguments for a few steps in {__file__}"
     output = foam(REPOSITORY / "cases" / case / "Allrun", *CASES[case], "-np", ranks, "-run", tmp_path / "run", case=tmp_path)
     run = Path(re.search(r"^Running in (.*)$", output, re.MULTILINE).group(1))
     log = (run / "log.plungeFoam").read_text()
     assert len(steps(log)) >= 3 and re.search(r"^End$", log, re.MULTILINE)
     assert (ranks == 1) == (not list(run.glob("processor*")))
     checkDive(run, len(steps(log)))
+
+
+@pytest.mark.parametrize("threads", [1, 2])
+@pytest.mark.parametrize("case, options", PARTICLES)
+def test_particles(case: str, options: Tuple[object, ...], threads: int, tmp_path: Path) -> None:
+    """As its Allrun sets it up; a few hundred steps, in which little moves."""
+    run = tmp_path / "run"
+    allrun = REPOSITORY / "cases" / case / "Allrun"
+    foam(allrun, *options, "-run", run, "-endTime", 0.02, "-threads", threads, case=tmp_path)
+    assert re.search(r"^End$", (run / "log.plungeSPH").read_text(), re.MULTILINE)
+    energy = np.genfromtxt(run / "postProcessing/energy/0/energy.csv", delimiter=",", names=True)
+    assert energy["time_s"][-1] > 0.015 and 1e-4 < energy["max_speed_m_s"][-1] < 1
+    assert (run / "VTK/particles.vtp.series").exists()
 
 
 def checkDive(run: Path, nSteps: int) -> None:

@@ -1,0 +1,204 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""plungeSPH: rest, collapse, twins, restart, and input that is wrong."""
+import json
+import os
+import re
+import shutil
+import signal
+import subprocess
+import time
+from pathlib import Path
+from typing import Dict, Tuple
+
+import numpy as np
+import pytest
+import vtk
+from vtk.util.numpy_support import vtk_to_numpy
+
+from conftest import REPOSITORY
+from tutorials import checkRefused, copy, foam, setEntry
+
+PROPERTIES = "constant/particleProperties"
+CONTROL = "system/controlDict"
+WATER, GRAVITY = 1000, 9.81
+
+
+def case(name: str, directory: Path, entries: Dict[str, object] = {}, **control: object) -> Path:
+    """A copy of a case of the repository, with other entries."""
+    directory.mkdir(parents=True)
+    for folder in ("constant", "system"):
+        shutil.copytree(REPOSITORY / "cases" / name / folder, directory / folder)
+    for file, changes in ((PROPERTIES, entries), (CONTROL, control)):
+        for entry, value in changes.items():
+            setEntry(directory, file, entry, value)
+    return directory
+
+
+def table(run: Path, name: str, start: str = "0") -> np.ndarray:
+    return np.genfromtxt(run / "postProcessing" / name / start / f"{name}.csv", delimiter=",", names=True)
+
+
+def checkpoint(run: Path, name: str, dimensions: int = 2) -> Tuple[np.ndarray, np.ndarray]:
+    """Numbers (position, velocity, density, mass, pressure) and walls of a state."""
+    header, _, data = (run / name / "particles").read_bytes().partition(b"\n\n")
+    n = int(re.search(rb"^particles (\d+)", header, re.MULTILINE).group(1))
+    nNumbers = n*(2*dimensions + 3)
+    return np.frombuffer(data, "<f8", nNumbers), np.frombuffer(data, "<i4", n, 8*nNumbers)
+
+
+def particles(run: Path, index: int = -1) -> Dict[str, np.ndarray]:
+    """What ParaView shows of a time of the series."""
+    files = json.loads((run / "VTK/particles.vtp.series").read_text())["files"]
+    reader = vtk.vtkXMLPolyDataReader()
+    reader.SetFileName(str(run / "VTK" / files[index]["name"]))
+    reader.Update()
+    output = reader.GetOutput()
+    assert output.GetNumberOfCells() == output.GetNumberOfPoints() > 0
+    assert output.GetFieldData().GetArray("TimeValue").GetValue(0) == pytest.approx(files[index]["time"])
+    fields = {name: vtk_to_numpy(output.GetPointData().GetArray(name)) for name in ("U", "p", "rho", "wall")}
+    return {"x": vtk_to_numpy(output.GetPoints().GetData()), **fields}
+
+
+def test_stillTank(tmp_path: Path) -> None:
+    """Below the surface layer (a support) hydrostatic pressure to 1 %; next to no motion; no energy from nothing."""
+    run = case("stillTank", tmp_path / "run", endTime=0.5, writeInterval=0.25)
+    foam("plungeSPH", "-threads", 1, case=run)
+    now = particles(run)
+    deep = (now["wall"] < 0) & (now["x"][:, 1] < 0.5 - 0.06)
+    hydrostatic = WATER*GRAVITY*(0.5 - now["x"][deep, 1])
+    assert deep.sum() > 1000
+    assert np.abs(now["p"][deep] - hydrostatic).max() < 0.01*WATER*GRAVITY*0.5
+    energy = table(run, "energy")
+    assert len(energy) == 51
+    # The surface settles by a fraction of a spacing first
+    assert energy["max_speed_m_s"][25:].max() < 0.005*np.sqrt(GRAVITY*0.5)
+    assert energy["c0_at_least_10_max_speed_so_far"].all()
+    total = energy["kinetic_J"] + energy["potential_J"] + energy["internal_J"]
+    assert total.max() < total[0] + 1e-4*energy["potential_J"][0]
+    assert table(run, "walls")["tank_Fy_N_m"][-1] == pytest.approx(-WATER*GRAVITY*0.5, rel=0.01)
+    assert np.abs(table(run, "gauges")["middle_m"] - 0.5).max() < 0.01
+    assert table(run, "probes")["half_p_Pa"][-1] == pytest.approx(WATER*GRAVITY*0.25, rel=0.01)
+
+
+@pytest.fixture(scope="module")
+def dam(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A coarse dam break in double precision, to 0.2 s on one thread."""
+    run = case("damBreakParticles", tmp_path_factory.mktemp("dam") / "whole",
+               {"geometry/spacing": 0.01, "precision": "double"}, endTime=0.2, writeInterval=0.1, purgeWrite=0)
+    foam("plungeSPH", "-threads", 1, case=run)
+    return run
+
+
+def test_threads(dam: Path) -> None:
+    """Two threads give the state of one, bit for bit."""
+    twin = case("damBreakParticles", dam.parent / "threads",
+                {"geometry/spacing": 0.01, "precision": "double"}, endTime=0.1, writeInterval=0.1)
+    foam("plungeSPH", "-threads", 2, case=twin)
+    np.testing.assert_array_equal(checkpoint(twin, "0.1")[0], checkpoint(dam, "0.1")[0])
+
+
+def test_restart(dam: Path) -> None:
+    """From the state at 0.1 s, the state at 0.2 s and the tables between."""
+    twin = copy(dam, "restarted")
+    for old in ("0.2", "postProcessing"):
+        shutil.rmtree(twin / old)
+    foam("plungeSPH", "-threads", 1, case=twin)
+    whole, again = (checkpoint(run, "0.2") for run in (dam, twin))
+    np.testing.assert_array_equal(whole[1], again[1])
+    np.testing.assert_allclose(again[0], whole[0], rtol=1e-10, atol=1e-10*np.abs(whole[0]).max())
+    for name in ("energy", "walls", "gauges", "probes"):
+        after = table(dam, name)[-len(table(twin, name, "0.1")) + 1:]
+        for column in after.dtype.names:
+            np.testing.assert_allclose(table(twin, name, "0.1")[column][1:], after[column], rtol=1e-8, atol=1e-9)
+    assert [entry["time"] for entry in json.loads((twin / "VTK/particles.vtp.series").read_text())["files"]] == [0, 0.1, 0.2]
+
+
+def test_front(dam: Path) -> None:
+    """The front is ahead of Martin and Moyce's, whose gate took time, by 15 % at most; the column falls; energy only falls."""
+    energy = table(dam, "energy")
+    total = energy["kinetic_J"] + energy["potential_J"] + energy["internal_J"]
+    assert np.diff(total).max() < 1e-4*energy["potential_J"][0]
+    last = particles(dam)
+    fluid = last["x"][last["wall"] < 0]
+    reference = np.genfromtxt(REPOSITORY / "validation/damBreakFront/reference/martinMoyce1952.csv",
+                              delimiter=",", skip_header=3, names=True)
+    wide = reference["a_in"] == 2.25
+    expected = np.interp(0.2*np.sqrt(2*GRAVITY/0.15), reference["T"][wide], reference["Z"][wide])
+    assert expected < (fluid[:, 0].max() + 0.005)/0.15 < 1.15*expected
+    heights = table(dam, "gauges")["H1_m"]
+    assert heights[0] == pytest.approx(0.3) and heights[-1] < 0.25
+    # Nothing leaks
+    assert (fluid[:, :2] > 0).all()
+
+
+def test_kill(tmp_path: Path) -> None:
+    """Killed while it writes after every step, it goes on from a state that is whole."""
+    run = case("stillTank", tmp_path / "run", endTime=100, writeControl="timeStep", writeInterval=1)
+    setEntry(run, CONTROL, "purgeWrite", 3)
+    for _ in range(3):
+        with subprocess.Popen(["plungeSPH", "-threads", "1"], cwd=run, env={**os.environ, "PWD": str(run)},
+                              stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as solver:
+            time.sleep(1.5)
+            assert solver.poll() is None, solver.stderr.read()
+            solver.send_signal(signal.SIGKILL)
+    last = max((path for path in run.iterdir() if re.fullmatch(r"[0-9.e+-]+", path.name)), key=lambda path: float(path.name))
+    setEntry(run, CONTROL, "endTime", float(last.name) + 0.001)
+    output = foam("plungeSPH", "-threads", 1, case=run)
+    assert f"from {last}/particles" in output.replace('"', "") and re.search(r"^End$", output, re.MULTILINE)
+
+
+def test_outrun(tmp_path: Path) -> None:
+    """A speed of sound that the flow outruns is allowed, warned of once, and marked."""
+    run = case("damBreakParticles", tmp_path / "run", {"geometry/spacing": 0.015, "speedOfSound/maxSpeed": 0.5},
+               endTime=0.2, writeInterval=0.2)
+    output = foam("plungeSPH", "-threads", 1, case=run)
+    assert output.count("c0 >= 10 v_max does not hold") == 1
+    marked = table(run, "energy")["c0_at_least_10_max_speed_so_far"]
+    assert marked[0] == 1 and marked[-1] == 0 and (np.diff(marked) <= 0).all()
+
+
+def test_notFinite(tmp_path: Path) -> None:
+    """A number that is not finite: stops, and says where to go on from."""
+    run = case("damBreakParticles", tmp_path / "run", {"geometry/spacing": 0.015, "Courant": 20}, endTime=1, writeInterval=0.001)
+    with pytest.raises(AssertionError, match="last good state"):
+        foam("plungeSPH", "-threads", 1, case=run)
+
+
+MISTAKES = {
+    "unknown entry": (("smothingLength", "1.5"), ("smothingLength", "smoothingLength")),
+    "dimensions": (("dimensions", "4"), ("dimensions", "4", "2 or 3")),
+    "unknown kernel": (("kernel", "gauss"), ("kernel", "gauss", "WendlandC2")),
+    "alpha that is not used": (("viscosity", "none"), ("alpha", "artificial")),
+    "negative density": (("liquid/rho", "-1"), ("rho", "positive")),
+    "spacing of zero": (("geometry/spacing", "0"), ("spacing",)),
+    "c0 and maxSpeed": (("speedOfSound/c0", "30"), ("c0", "maxSpeed", "one of them")),
+    "smoothing length": (("smoothingLength", "0.5"), ("spacing",)),
+    "a gas": (("liquid", "{ fluid titanAir; }"), ("titanAir", "liquid")),
+    "probe off the plane": (("outputs/probes/half", "(0 0 1)"), ("half", "z = 0")),
+}
+
+
+@pytest.mark.parametrize("name", MISTAKES)
+def test_badInput(name: str, tmp_path: Path) -> None:
+    entry, named = MISTAKES[name]
+    checkRefused("plungeSPH", case("stillTank", tmp_path / "run", dict([entry])), ("particleProperties",) + named)
+
+
+def test_brokenState(dam: Path) -> None:
+    """A truncated state is not gone on from."""
+    run = copy(dam, "truncated")
+    file = run / "0.2/particles"
+    file.write_bytes(file.read_bytes()[:-100])
+    setEntry(run, CONTROL, "endTime", 0.3)
+    checkRefused("plungeSPH", run, ("0.2/particles", "expected"))
+
+
+def test_lake(tmp_path: Path) -> None:
+    """A liquid by its name."""
+    run = case("stillTank", tmp_path / "run", {"liquid": "{ fluid Kraken; }", "viscosity": "laminar", "walls": "noSlip"},
+               endTime=0.002, writeInterval=0.002)
+    path = run / PROPERTIES
+    path.write_text(re.sub(r"\nalpha .*", "", path.read_text()))
+    output = foam("plungeSPH", "-threads", 1, case=run)
+    density, viscosity = map(float, re.search(r"Liquid: density (\S+) kg/m3, viscosity (\S+) Pa s", output).groups())
+    assert 450 < density < 680 and 1e-4 < viscosity < 2e-3
