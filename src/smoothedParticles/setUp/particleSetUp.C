@@ -624,8 +624,8 @@ public:
         return crossings(fill(filled(), n_), [](const point&){ return true; });
     }
 
-    //- Pressure at rest [Pa] of these particles, under the weight per volume rho0 g
-    scalarField pressure(const pointField& points, const vector& weight) const
+    //- What weighs on these particles at rest [Pa], if the liquid were not compressed: the weight per volume rho0 g times depth
+    scalarField load(const pointField& points, const vector& weight) const
     {
         const bool given = dict_.found("surface");
         if (!dict_.lookupOrDefault<Switch>("hydrostatic", true))
@@ -773,7 +773,11 @@ Foam::smoothedParticles::particleState<dim> Foam::smoothedParticles::readParticl
     forAll(fluids, i)
     {
         const pointField points(fluids[i].particles());
-        const scalarField p(fluids[i].pressure(points, weight));
+        const scalarField load(fluids[i].load(points, weight));
+
+        // dp/dz = rho(p) g by Murnaghan's law
+        const scalar n = liquid.gamma/(liquid.gamma - 1);
+        const scalarField p(law.k0()*(pow(1 + load/(n*law.k0()), n) - 1));
         forAll(points, k)
         {
             bool inFluid = false, inWall = false;
