@@ -15,8 +15,9 @@ from conftest import REPOSITORY
 STOCK_TUTORIALS = REPOSITORY / "validation/stockTutorials"
 
 
-def _compare() -> ModuleType:
-    spec = importlib.util.spec_from_file_location("compare", STOCK_TUTORIALS / "compare.py")
+def comparison(validation: Path) -> ModuleType:
+    """The compare.py of a folder of validation/."""
+    spec = importlib.util.spec_from_file_location(f"compare_{validation.name}", validation / "compare.py")
     module = importlib.util.module_from_spec(spec)
     written, sys.dont_write_bytecode = sys.dont_write_bytecode, True
     spec.loader.exec_module(module)
@@ -24,7 +25,7 @@ def _compare() -> ModuleType:
     return module
 
 
-compare = _compare()
+compare = comparison(STOCK_TUTORIALS)
 
 
 def foam(*command: object, case: Path, log: str = "log.foam") -> str:

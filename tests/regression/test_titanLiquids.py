@@ -1,23 +1,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The liquids agree with other codes and published tables: the comparison of validation/titanLiquids, without its timings."""
-import importlib.util
-import sys
 from pathlib import Path
 from types import ModuleType
 
 import pytest
+
+from tutorials import comparison
 
 FOLDER = Path(__file__).resolve().parents[2] / "validation/titanLiquids"
 
 
 @pytest.fixture(scope="module")
 def compare() -> ModuleType:
-    spec = importlib.util.spec_from_file_location("titanLiquids", FOLDER / "compare.py")
-    assert spec and spec.loader
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[spec.name] = module
-    spec.loader.exec_module(module)
-    return module
+    return comparison(FOLDER)
 
 
 @pytest.mark.parametrize("rows", ["properties_rows", "titanpool_rows"])

@@ -7,7 +7,6 @@ not a factor of two apart, the change that a doubling would make is estimated fr
 the time scheme and of the interface: (1 - 1/2)/(1 - 1/ratio) times the change between them. An estimate says so.
 """
 import argparse
-import re
 import sys
 from itertools import combinations
 from pathlib import Path
@@ -15,19 +14,13 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parents[1] / "applications/utilities/plungePost"))
 sys.path.insert(0, str(HERE.parent))
-from plungeResults import CaseError, cell_count, entry, read_numbers  # noqa: E402
+from plungeResults import CaseError, cell_count, cpu_seconds, entry, read_numbers  # noqa: E402
 from resultTable import Row, judge, show, write  # noqa: E402
 
 JUDGED = "velocity lost at full immersion"
 REPORTED = (JUDGED, "peak deceleration", "full immersion time", "pitch change at full immersion",
             "max |volume ledger error|")
 ALLOWED_CHANGE = 10.0  # % per doubling
-
-
-def cpu_seconds(run: Path) -> float:
-    """CPU time of the solver's master rank [s], over restarts."""
-    times = [float(t) for t in re.findall(r"^ExecutionTime = ([\d.]+) s", (run / "log.plungeFoam").read_text(), re.M)]
-    return sum(t for t, later in zip(times, times[1:] + [0.0]) if later < t)
 
 
 def main() -> int:

@@ -10,7 +10,6 @@ immersion stand those of a flat plate of the body's wetted area and length at th
 1.328/sqrt(Re)) and turbulent (ITTC 1957, 0.075/(log10 Re - 2)^2).
 """
 import argparse
-import importlib.util
 import sys
 from math import log10, pi, sqrt
 from pathlib import Path
@@ -24,18 +23,10 @@ sys.path[:0] = [str(path) for path in (HERE, HERE.parent, HERE.parents[1] / "app
 from bodyGeometry import Body  # noqa: E402
 from foamDictionary import read  # noqa: E402
 from makeCase import FACTORS, KRAKEN, PAPER  # noqa: E402
-from plungeResults import CaseError, gather, read_numbers  # noqa: E402
+from plungeResults import CaseError, cpu_seconds, gather, read_numbers  # noqa: E402
 from resultTable import Row, show, write  # noqa: E402
 
 REPORTED = ("peak deceleration", "velocity lost at full immersion")
-
-
-def cpu_seconds(run: Path) -> float:
-    """As diveResolution has it."""
-    spec = importlib.util.spec_from_file_location("diveResolution", HERE.parent / "diveResolution/compare.py")
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module.cpu_seconds(run)
 
 
 def wetted_area(body: Body) -> float:

@@ -231,6 +231,12 @@ def cell_count(case: Path) -> int:
 PARAMETERS = "system/plungeGenerated"  # written by plungeCase
 
 
+def cpu_seconds(run: Path) -> float:
+    """CPU time of the solver's master rank [s], over restarts."""
+    times = [float(t) for t in re.findall(r"^ExecutionTime = ([\d.]+) s", (run / "log.plungeFoam").read_text(), re.M)]
+    return sum(t for t, later in zip(times, times[1:] + [0.0]) if later < t)
+
+
 def scene_name(case: Path) -> str:
     """The fluids (titan, water, ...), where plungeCase has set the case up; else empty."""
     return entry(case, PARAMETERS, "fluids") if (case / PARAMETERS).is_file() else ""

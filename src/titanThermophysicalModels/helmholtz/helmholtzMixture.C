@@ -43,6 +43,23 @@ double startingDensity(const composition& x, double T)
 }
 
 
+void checkWithin(const char* name, double value, const char* unit, double low, double high, thermoError::reason why)
+{
+    if (!std::isfinite(value))
+    {
+        throw thermoError(thermoError::reason::notANumber, std::string(name) + " is not a number");
+    }
+    if (value < low || value > high)
+    {
+        throw thermoError
+        (
+            why,
+            std::string(name) + formatted(" is %.6g ", value) + unit + formatted(": expected %.6g to %.6g ", low, high) + unit
+        );
+    }
+}
+
+
 [[noreturn]] void refusePhase(const composition& x, double T, double p, phase ph)
 {
     throw thermoError
@@ -66,36 +83,14 @@ constexpr double Foam::titan::range::pMax;
 
 void Foam::titan::range::checkTemperature(double T)
 {
-    if (!std::isfinite(T))
-    {
-        throw thermoError(thermoError::reason::notANumber, "temperature T is not a number");
-    }
-    if (T < Tmin || T > Tmax)
-    {
-        throw thermoError
-        (
-            thermoError::reason::temperatureRange,
-            formatted("temperature T is %.6g K: expected %.6g to %.6g K", T, Tmin, Tmax)
-        );
-    }
+    checkWithin("temperature T", T, "K", Tmin, Tmax, thermoError::reason::temperatureRange);
 }
 
 
 void Foam::titan::range::check(double T, double p)
 {
     checkTemperature(T);
-    if (!std::isfinite(p))
-    {
-        throw thermoError(thermoError::reason::notANumber, "pressure p is not a number");
-    }
-    if (p < pMin || p > pMax)
-    {
-        throw thermoError
-        (
-            thermoError::reason::pressureRange,
-            formatted("pressure p is %.6g Pa: expected %.6g to %.6g Pa", p, pMin, pMax)
-        );
-    }
+    checkWithin("pressure p", p, "Pa", pMin, pMax, thermoError::reason::pressureRange);
 }
 
 
