@@ -39,10 +39,10 @@ def table(run: Path, name: str, start: str = "0") -> np.ndarray:
 
 
 def checkpoint(run: Path, name: str, dimensions: int = 2) -> Tuple[np.ndarray, np.ndarray]:
-    """Numbers (position, velocity, density, mass, pressure) and walls of a state."""
+    """Numbers (position, velocity, acceleration, density, mass, pressure) and walls of a state."""
     header, _, data = (run / name / "particles").read_bytes().partition(b"\n\n")
     n = int(re.search(rb"^particles (\d+)", header, re.MULTILINE).group(1))
-    nNumbers = n*(2*dimensions + 3)
+    nNumbers = n*(3*dimensions + 3)
     return np.frombuffer(data, "<f8", nNumbers), np.frombuffer(data, "<i4", n, 8*nNumbers)
 
 

@@ -86,7 +86,7 @@ struct cloud
             result(i, fields::volume) = volume[k];
             result(i, fields::pressure) = pressure[k];
             result(i, fields::share) = 1;
-            result.contents[i] = fields::content::fluid;
+            result.fluid.push_back(i);
         }
         return result;
     }
@@ -116,9 +116,20 @@ std::array<double, dim + 1> rates(const cloud<dim>& c, std::size_t i, const inte
         const double F = scale*kernelFactor(m.kernel, std::sqrt(r2)/m.h);
         const double VF = c.volume[j]*F;
         const double regular = r2 + 0.01*m.h*m.h;
+        const double r = std::sqrt(r2);
+        const double rhoJ = rho0 + c.density[j];
 
         sum[0] += rho*VF*approach;
-        if (m.diffusion != diffusionType::none)
+        if (m.diffusion == diffusionType::Riemann)
+        {
+            double difference = c.pressure[i] - c.pressure[j];
+            for (int d = 0; d < dim; ++d)
+            {
+                difference -= rho0*m.g[d]*(c.x[i][d] - c.x[j][d]);
+            }
+            sum[0] += r/m.c0*difference*VF;
+        }
+        else if (m.diffusion != diffusionType::none)
         {
             double difference = c.density[i] - c.density[j];
             for (int d = 0; m.diffusion == diffusionType::Fourtakas && d < dim; ++d)
@@ -130,9 +141,19 @@ std::array<double, dim + 1> rates(const cloud<dim>& c, std::size_t i, const inte
             sum[0] += 2*m.delta*m.h*m.c0*difference*VF;
         }
         double stress = c.pressure[i] + c.pressure[j];
+        if (m.pressure == pressureType::solid)
+        {
+            stress = rho*rhoJ*(c.pressure[i]/(rho*rho) + c.pressure[j]/(rhoJ*rhoJ));
+        }
         if (m.viscosity == viscosityType::artificial && approach < 0)
         {
-            stress -= m.alpha*m.c0*m.h*approach/regular*(rho0 + 0.5*(c.density[i] + c.density[j]));
+            const double mu = m.h*approach/regular;
+            stress += 0.5*(rho + rhoJ)*(-m.alpha*m.c0*mu + m.beta*mu*mu);
+        }
+        if (m.viscosity == viscosityType::Riemann && approach < 0)
+        {
+            const double closing = -approach/r;
+            stress += std::min(3*closing/m.c0, 1.0)*0.5*(rho + rhoJ)*m.c0*closing;
         }
         for (int d = 0; d < dim; ++d)
         {
@@ -152,10 +173,11 @@ double largestError(const cloud<dim>& c, const interactionModel& m, bool AVX2, d
 {
     clusterNeighbours<dim> neighbours;
     neighbours.sort(c.x, spacing);
-    neighbours.search(c.x, none(c.x.size()), 2.2*m.h, 1);
+    neighbours.search(c.x, none(c.x.size()), none(c.x.size()), 2.2*m.h, 1);
     auto particles = c.template packed<Real>(neighbours);
     const interaction<Real, dim> interact(m, AVX2);
-    interact.sum(neighbours, particles, 1);
+    interact.sumDensityRate(neighbours, particles, 1);
+    interact.sumAcceleration(neighbours, particles, 1);
 
     // Against the largest of each rate
     std::array<double, dim + 1> largest{}, error{};
@@ -219,7 +241,7 @@ void checkNeighbours()
     const double radius = 2.7*spacing;
     clusterNeighbours<dim> neighbours;
     neighbours.sort(c.x, spacing);
-    neighbours.search(c.x, none(c.x.size()), radius, 1);
+    neighbours.search(c.x, none(c.x.size()), none(c.x.size()), radius, 1);
 
     // Every particle has one place
     std::set<int> seen;
@@ -270,7 +292,7 @@ void checkNeighbours()
     // Whatever the number of threads
     clusterNeighbours<dim> shared;
     shared.sort(c.x, spacing);
-    shared.search(c.x, none(c.x.size()), radius, 3);
+    shared.search(c.x, none(c.x.size()), none(c.x.size()), radius, 3);
     ASSERT_EQ(shared.order(), neighbours.order());
     for (std::size_t i = 0; i < neighbours.size(); ++i)
     {
@@ -286,12 +308,14 @@ void checkTwins(double momentumTolerance)
     interactionModel m = models(1.5*spacing)[7];
     clusterNeighbours<dim> neighbours;
     neighbours.sort(c.x, spacing);
-    neighbours.search(c.x, none(c.x.size()), 2.2*m.h, 1);
+    neighbours.search(c.x, none(c.x.size()), none(c.x.size()), 2.2*m.h, 1);
     auto once = c.template packed<Real>(neighbours);
     auto again = c.template packed<Real>(neighbours);
     const interaction<Real, dim> interact(m);
-    interact.sum(neighbours, once, 1);
-    interact.sum(neighbours, again, 2);
+    interact.sumDensityRate(neighbours, once, 1);
+    interact.sumAcceleration(neighbours, once, 1);
+    interact.sumDensityRate(neighbours, again, 2);
+    interact.sumAcceleration(neighbours, again, 2);
     EXPECT_EQ(once.densityRate, again.densityRate);
     EXPECT_EQ(once.acceleration, again.acceleration);
 
@@ -334,13 +358,13 @@ TEST(ClusterNeighbours, fewParticles)
 {
     clusterNeighbours<3> empty;
     empty.sort({}, spacing);
-    empty.search({}, {}, spacing, 2);
+    empty.search({}, {}, {}, spacing, 2);
     EXPECT_EQ(empty.size(), 0u);
 
     const std::vector<std::array<double, 3>> one = {{{0.1, 0.2, 0.3}}};
     clusterNeighbours<3> neighbours;
     neighbours.sort(one, spacing);
-    neighbours.search(one, none(1), spacing, 2);
+    neighbours.search(one, none(1), none(1), spacing, 2);
     EXPECT_EQ(neighbours.size(), std::size_t(clusterSize));
     EXPECT_EQ(neighbours.end(0) - neighbours.begin(0), 1);
 }
@@ -358,9 +382,9 @@ TEST(ClusterNeighbours, passiveParticles)
     const double radius = 2.7*spacing;
     clusterNeighbours<2> neighbours, all;
     neighbours.sort(c.x, spacing);
-    neighbours.search(c.x, passive, radius, 1);
+    neighbours.search(c.x, passive, none(c.x.size()), radius, 1);
     all.sort(c.x, spacing);
-    all.search(c.x, none(c.x.size()), radius, 1);
+    all.search(c.x, none(c.x.size()), none(c.x.size()), radius, 1);
     EXPECT_LT(neighbours.nPairs(), 0.8*all.nPairs());
 
     for (std::size_t i = 0; i < neighbours.size(); ++i)

@@ -76,6 +76,12 @@ public:
         return rho0_*std::expm1(std::log1p(p/B_)/gamma_);
     }
 
+    //- rho - rho0 [kg/m3] at rest under gravity times depth [m2/s2]: dp = rho(p) g dz
+    double densityAtRest(double load) const
+    {
+        return rho0_*std::expm1(std::log1p((gamma_ - 1)/gamma_*rho0_*load/B_)/(gamma_ - 1));
+    }
+
     //- Internal energy [J/kg]: the integral of p/rho^2 from rho0
     double energy(double density) const
     {
@@ -98,17 +104,13 @@ class flowIn
     const MurnaghanPressure state_;
     const interaction<Real, dim> interaction_;
 
-    //- spacing^dim, the volume of a particle of a wall [m3]
-    const double cell_;
-
     double time_;
 
     // In the order in which the particles are in memory
 
         std::vector<std::int32_t> original_;
         std::vector<std::int32_t> wall_;
-        std::vector<unsigned char> passive_;
-        std::vector<vector> x_, v_;
+        std::vector<vector> x_, v_, a_;
         std::vector<double> density_, mass_;
 
         //- At the start of the step
@@ -118,6 +120,40 @@ class flowIn
         //- Where each was when neighbours were last searched, and its place among the clusters
         std::vector<vector> xSearched_;
         std::vector<std::int32_t> place_;
+
+    // Mirror images
+
+        std::vector<mirrorImage<dim>> images_;
+        std::vector<std::int32_t> imagePlace_;
+
+        //- Of the particles and then the images
+        std::vector<vector> xAll_;
+        std::vector<unsigned char> passive_, silent_;
+
+    // Walls that move
+
+        struct body
+        {
+            rigidMotion now, end;
+
+            //- Acceleration that the pressure on the wall is extrapolated with
+            rigidMotion felt;
+
+            typename particleFlow<dim>::loads loads;
+        };
+
+        std::map<std::int32_t, body> bodies_;
+
+        struct bodyParticle
+        {
+            std::int32_t original;
+            std::int32_t now;
+            body* of;
+            rigidMotion::vector inBody;
+        };
+
+        std::vector<bodyParticle> bodyParticles_;
+        std::vector<std::int32_t> bodyPlaces_;
 
     clusterNeighbours<dim> neighbours_;
     fields packed_;
@@ -140,9 +176,10 @@ class flowIn
     static void reorder(std::vector<T>& values, const std::vector<std::int32_t>& order, std::vector<T>& spare)
     {
         spare.clear();
+        const std::int32_t n = values.size();
         for (const std::int32_t k : order)
         {
-            if (k >= 0)
+            if (k >= 0 && k < n)
             {
                 spare.push_back(values[k]);
             }
@@ -160,44 +197,131 @@ class flowIn
         return supportRatio*model_.interaction.h;
     }
 
-    void search()
+    double searchRadius() const
     {
-        neighbours_.sort(x_, model_.spacing);
+        return supportRadius() + skinRatio*model_.spacing;
+    }
+
+    //- Into the order of the clusters, with the images of now
+    void sort()
+    {
+        const std::size_t n = x_.size();
+        findMirrorImages<dim>(model_.symmetry, x_, searchRadius(), images_);
+        xAll_ = x_;
+        for (const mirrorImage<dim>& image : images_)
+        {
+            xAll_.push_back(image.position(x_[image.source]));
+        }
+        neighbours_.sort(xAll_, model_.spacing);
+
         const std::vector<std::int32_t>& order = neighbours_.order();
         reorder(original_, order, place_);
         reorder(wall_, order, place_);
         reorder(x_, order, xOld_);
-        reorder(v_, order, vOld_);
+        reorder(v_, order, xOld_);
+        reorder(a_, order, xOld_);
         reorder(density_, order, densityOld_);
         reorder(mass_, order, densityOld_);
-        neighbours_.renumber();
-        passive_.resize(x_.size());
-        for (std::size_t k = 0; k < x_.size(); ++k)
+        if (images_.empty())
+        {
+            xAll_ = x_;
+        }
+        else
+        {
+            std::vector<std::int32_t>& newOf = imagePlace_;
+            newOf.resize(n);
+            std::vector<mirrorImage<dim>> sorted;
+            std::int32_t next = 0;
+            for (const std::int32_t k : order)
+            {
+                if (k >= std::int32_t(n))
+                {
+                    sorted.push_back(images_[k - n]);
+                }
+                else if (k >= 0)
+                {
+                    newOf[k] = next++;
+                }
+            }
+            xAll_ = x_;
+            for (mirrorImage<dim>& image : sorted)
+            {
+                image.source = newOf[image.source];
+                xAll_.push_back(image.position(x_[image.source]));
+            }
+            images_.swap(sorted);
+        }
+        neighbours_.renumber(n);
+    }
+
+    void search()
+    {
+        sort();
+        const std::size_t n = x_.size();
+        passive_.resize(n + images_.size());
+        silent_.assign(n + images_.size(), false);
+        for (std::size_t k = 0; k < n; ++k)
         {
             passive_[k] = !isFluid(k);
         }
-        neighbours_.search(x_, passive_, supportRadius() + skinRatio*model_.spacing, nThreads_);
+        for (std::size_t g = 0; g < images_.size(); ++g)
+        {
+            passive_[n + g] = !isFluid(images_[g].source);
+            silent_[n + g] = true;
+        }
+        neighbours_.search(xAll_, passive_, silent_, searchRadius(), nThreads_);
 
-        place_.resize(x_.size());
+        place_.resize(n);
+        imagePlace_.resize(images_.size());
         packed_.resize(neighbours_.size());
+        packed_.fluid.clear();
+        packed_.walls.clear();
         middle_.fill(0);
+        const std::vector<std::int32_t>& order = neighbours_.order();
         for (std::size_t i = 0; i < order.size(); ++i)
         {
-            const std::int32_t k = order[i];
-            if (k >= 0)
+            if (order[i] < 0)
             {
-                place_[k] = i;
-                packed_.contents[i] = isFluid(k) ? fields::content::fluid : fields::content::wall;
-                packed_(i, fields::share) = isFluid(k) ? 1 : 0;
-                for (int d = 0; d < dim; ++d)
-                {
-                    middle_[d] += x_[k][d]/x_.size();
-                }
+                continue;
+            }
+            const std::size_t k = order[i];
+            packed_(i, fields::share) = passive_[k] ? 0 : 1;
+            if (k >= n)
+            {
+                imagePlace_[k - n] = i;
+                continue;
+            }
+            place_[k] = i;
+            (isFluid(k) ? packed_.fluid : packed_.walls).push_back(i);
+            for (int d = 0; d < dim; ++d)
+            {
+                middle_[d] += x_[k][d]/n;
             }
         }
+        findBodyParticles();
         xSearched_ = x_;
         ++nSearches_;
         countPairs();
+    }
+
+    void findBodyParticles()
+    {
+        if (bodies_.empty())
+        {
+            return;
+        }
+        packed_.moveWalls();
+        std::vector<std::int32_t> newOf(x_.size());
+        for (std::size_t k = 0; k < x_.size(); ++k)
+        {
+            newOf[original_[k]] = k;
+        }
+        bodyPlaces_.clear();
+        for (bodyParticle& p : bodyParticles_)
+        {
+            p.now = newOf[p.original];
+            bodyPlaces_.push_back(place_[p.now]);
+        }
     }
 
     //- Pairs inside the support of one sum over all particles of the fluid, from some of them
@@ -225,7 +349,7 @@ class flowIn
                     double r2 = 0;
                     for (int d = 0; d < dim; ++d)
                     {
-                        r2 += (x_[j][d] - x_[k][d])*(x_[j][d] - x_[k][d]);
+                        r2 += (xAll_[j][d] - x_[k][d])*(xAll_[j][d] - x_[k][d]);
                     }
                     pairs += r2 < radius2;
                 }
@@ -234,8 +358,8 @@ class flowIn
         pairsPerSum_ = counted > 0 ? pairs/counted*nFluid_ : 0;
     }
 
-    //- Rates of change of the fluid as it is now
-    void evaluate()
+    //- For the sums: positions and velocities as they are now; densities, volumes and pressures of the fluid
+    void packFields()
     {
         const std::int64_t n = x_.size();
 
@@ -249,11 +373,50 @@ class flowIn
                 packed_(i, fields::v + d) = v_[k][d];
             }
             packed_(i, fields::density) = density_[k];
-            packed_(i, fields::volume) = isFluid(k) ? mass_[k]/(model_.rho0 + density_[k]) : cell_;
+            packed_(i, fields::volume) = mass_[k]/(model_.rho0 + (isFluid(k) ? density_[k] : 0));
             packed_(i, fields::pressure) = state_.pressure(density_[k]);
         }
+        packImages();
+    }
 
+    //- As their sources are
+    void packImages()
+    {
+        const std::int64_t n = images_.size();
+
+        #pragma omp parallel for num_threads(nThreads_) schedule(static)
+        for (std::int64_t g = 0; g < n; ++g)
+        {
+            const mirrorImage<dim>& image = images_[g];
+            const std::size_t from = place_[image.source];
+            const std::size_t to = imagePlace_[g];
+            for (int d = 0; d < dim; ++d)
+            {
+                packed_(to, fields::x + d) = image.sign[d]*x_[image.source][d] + image.offset[d] - middle_[d];
+                packed_(to, fields::v + d) = image.sign[d]*packed_(from, fields::v + d);
+            }
+            for (const int field : {fields::density, fields::volume, fields::pressure})
+            {
+                packed_(to, field) = packed_(from, field);
+            }
+        }
+    }
+
+    //- Pressure and velocity of walls from the packed fluid; their density is that of the pressure
+    void extrapolateToWalls()
+    {
+        for (const bodyParticle& p : bodyParticles_)
+        {
+            const rigidMotion::vector a = p.of->felt.accelerationAt(x_[p.now]);
+            for (int d = 0; d < dim; ++d)
+            {
+                packed_.ownVelocity[d][place_[p.now]] = v_[p.now][d];
+                packed_.ownAcceleration[d][place_[p.now]] = a[d];
+            }
+        }
         interaction_.extrapolate(neighbours_, packed_, nThreads_);
+
+        const std::int64_t n = x_.size();
         #pragma omp parallel for num_threads(nThreads_) schedule(static)
         for (std::int64_t k = 0; k < n; ++k)
         {
@@ -271,20 +434,238 @@ class flowIn
                 packed_(i, fields::v + d) = packed_.wallVelocity[d][i];
             }
         }
+        packImages();
+    }
 
-        interaction_.sum(neighbours_, packed_, nThreads_);
+    //- Rate of change of the density as it is now, into packed_
+    void sumDensityRate()
+    {
+        packFields();
+        interaction_.sumDensityRate(neighbours_, packed_, nThreads_);
+    }
+
+    //- Acceleration of the fluid as it is now, and the loads on bodies
+    void sumAcceleration()
+    {
+        packFields();
+        extrapolateToWalls();
+        interaction_.sumAcceleration(neighbours_, packed_, nThreads_);
+        sumLoads();
+
+        const std::int64_t n = x_.size();
+        #pragma omp parallel for num_threads(nThreads_) schedule(static)
+        for (std::int64_t k = 0; k < n; ++k)
+        {
+            if (isFluid(k))
+            {
+                for (int d = 0; d < dim; ++d)
+                {
+                    a_[k][d] = packed_.acceleration[d][place_[k]] + model_.interaction.g[d];
+                }
+            }
+        }
         nPairs_ += pairsPerSum_;
     }
 
-    //- Acceleration of a particle of the fluid with gravity [m/s2]
-    double acceleration(std::size_t k, int d) const
+    void sumLoads()
     {
-        return packed_.acceleration[d][place_[k]] + model_.interaction.g[d];
+        if (bodies_.empty())
+        {
+            return;
+        }
+        interaction_.sumWallForce(neighbours_, packed_, bodyPlaces_, nThreads_);
+        for (auto& b : bodies_)
+        {
+            b.second.loads = typename particleFlow<dim>::loads();
+        }
+        for (const bodyParticle& p : bodyParticles_)
+        {
+            rigidMotion::vector force{};
+            for (int d = 0; d < dim; ++d)
+            {
+                const double push = packed_.acceleration[d][place_[p.now]];
+                const double friction = packed_.friction[d][place_[p.now]];
+                p.of->loads.pressure[d] += push;
+                p.of->loads.friction[d] += friction;
+                force[d] = push + friction;
+            }
+            const rigidMotion::vector moment(rigidMotion::cross(p.of->now.arm(x_[p.now]), force));
+            for (int d = 0; d < 3; ++d)
+            {
+                p.of->loads.moment[d] += moment[d];
+            }
+        }
     }
 
     double rate(std::size_t k) const
     {
         return packed_.densityRate[place_[k]];
+    }
+
+    //- Bodies to a part of the way of this step, 0.5 or 1, with the mean velocity of the step
+    void moveBodies(double part, double deltaT)
+    {
+        for (const bodyParticle& p : bodyParticles_)
+        {
+            const rigidMotion::vector end = p.of->end.position(p.inBody);
+            for (int d = 0; d < dim; ++d)
+            {
+                v_[p.now][d] = (end[d] - xOld_[p.now][d])/deltaT;
+                x_[p.now][d] = xOld_[p.now][d] + part*(end[d] - xOld_[p.now][d]);
+            }
+        }
+    }
+
+    //- The step's end is now. What a wall feels of its acceleration is a mean over the time that sound takes across h: the
+    //  pressure on a wall follows its acceleration, and a body lighter than the liquid would follow the pressure at once.
+    void arriveBodies(double deltaT)
+    {
+        const double weight = deltaT/(deltaT + model_.interaction.h/model_.interaction.c0);
+        for (auto& b : bodies_)
+        {
+            body& one = b.second;
+            const rigidMotion last(one.felt);
+            one.now = one.felt = one.end;
+            for (int d = 0; d < 3; ++d)
+            {
+                one.felt.acceleration[d] = last.acceleration[d] + weight*(one.end.acceleration[d] - last.acceleration[d]);
+                one.felt.angularAcceleration[d] =
+                    last.angularAcceleration[d] + weight*(one.end.angularAcceleration[d] - last.angularAcceleration[d]);
+            }
+        }
+    }
+
+    //- Fluid: what it was at the start of the step, and a kick and a drift of half a step
+    void kickAndDrift(double half)
+    {
+        const std::int64_t n = x_.size();
+        #pragma omp parallel for num_threads(nThreads_) schedule(static)
+        for (std::int64_t k = 0; k < n; ++k)
+        {
+            if (isFluid(k))
+            {
+                for (int d = 0; d < dim; ++d)
+                {
+                    v_[k][d] += half*a_[k][d];
+                    x_[k][d] += half*v_[k][d];
+                }
+            }
+        }
+    }
+
+    void absorb(double deltaT)
+    {
+        if (!(model_.absorption.thickness > 0))
+        {
+            return;
+        }
+        const std::array<double, 3>& g = model_.interaction.g;
+        const double weight = std::sqrt(g[0]*g[0] + g[1]*g[1] + g[2]*g[2]);
+        const std::int64_t n = x_.size();
+        #pragma omp parallel for num_threads(nThreads_) schedule(static)
+        for (std::int64_t k = 0; k < n; ++k)
+        {
+            const double rate = isFluid(k) ? model_.absorption.rate(x_[k], model_.interaction.c0) : 0;
+            if (rate > 0)
+            {
+                double load = weight*model_.absorption.surface;
+                for (int d = 0; d < dim; ++d)
+                {
+                    load += g[d]*x_[k][d];
+                }
+                const double still = state_.densityAtRest(std::max(0.0, load));
+                const double kept = std::exp(-rate*deltaT);
+                density_[k] = still + kept*(density_[k] - still);
+                for (int d = 0; d < dim; ++d)
+                {
+                    v_[k][d] *= kept;
+                }
+            }
+        }
+    }
+
+    void stepVerlet(double deltaT)
+    {
+        const std::int64_t n = x_.size();
+        const double half = 0.5*deltaT;
+
+        kickAndDrift(half);
+        moveBodies(0.5, deltaT);
+        sumDensityRate();
+
+        #pragma omp parallel for num_threads(nThreads_) schedule(static)
+        for (std::int64_t k = 0; k < n; ++k)
+        {
+            if (isFluid(k))
+            {
+                density_[k] += deltaT*rate(k);
+                for (int d = 0; d < dim; ++d)
+                {
+                    x_[k][d] += half*v_[k][d];
+                }
+            }
+        }
+        moveBodies(1, deltaT);
+        arriveBodies(deltaT);
+        sumAcceleration();
+
+        #pragma omp parallel for num_threads(nThreads_) schedule(static)
+        for (std::int64_t k = 0; k < n; ++k)
+        {
+            if (isFluid(k))
+            {
+                for (int d = 0; d < dim; ++d)
+                {
+                    v_[k][d] += half*a_[k][d];
+                }
+            }
+        }
+    }
+
+    void stepSymplectic(double deltaT)
+    {
+        const std::int64_t n = x_.size();
+        const double half = 0.5*deltaT;
+        vOld_ = v_;
+        densityOld_ = density_;
+
+        sumDensityRate();
+        sumAcceleration();
+
+        #pragma omp parallel for num_threads(nThreads_) schedule(static)
+        for (std::int64_t k = 0; k < n; ++k)
+        {
+            if (isFluid(k))
+            {
+                density_[k] += half*rate(k);
+                for (int d = 0; d < dim; ++d)
+                {
+                    x_[k][d] += half*v_[k][d];
+                    v_[k][d] += half*a_[k][d];
+                }
+            }
+        }
+        moveBodies(0.5, deltaT);
+        sumDensityRate();
+        sumAcceleration();
+
+        #pragma omp parallel for num_threads(nThreads_) schedule(static)
+        for (std::int64_t k = 0; k < n; ++k)
+        {
+            if (isFluid(k))
+            {
+                const double growth = deltaT*rate(k)/(model_.rho0 + density_[k]);
+                const double rho = (model_.rho0 + densityOld_[k])*(2 + growth)/(2 - growth);
+                density_[k] = rho - model_.rho0;
+                for (int d = 0; d < dim; ++d)
+                {
+                    v_[k][d] = vOld_[k][d] + deltaT*a_[k][d];
+                    x_[k][d] = xOld_[k][d] + half*(vOld_[k][d] + v_[k][d]);
+                }
+            }
+        }
+        moveBodies(1, deltaT);
+        arriveBodies(deltaT);
     }
 
     //- Largest speed and acceleration; throws where a number is not finite
@@ -299,20 +680,16 @@ class flowIn
             reduction(max: speed2, acceleration2) reduction(min: broken)
         for (std::int64_t k = 0; k < n; ++k)
         {
-            if (!isFluid(k))
-            {
-                continue;
-            }
             double v2 = 0;
             double a2 = 0;
             for (int d = 0; d < dim; ++d)
             {
                 v2 += v_[k][d]*v_[k][d];
-                a2 += acceleration(k, d)*acceleration(k, d);
+                a2 += a_[k][d]*a_[k][d];
             }
             speed2 = std::max(speed2, v2);
             acceleration2 = std::max(acceleration2, a2);
-            if (!std::isfinite(v2 + a2 + density_[k] + rate(k)))
+            if (!std::isfinite(v2 + a2 + density_[k]))
             {
                 broken = std::min(broken, k);
             }
@@ -325,7 +702,7 @@ class flowIn
             {
                 message << (d ? " " : "") << x_[broken][d];
             }
-            message << ") m has a velocity, density or rate that is not a number at " << time_ << " s";
+            message << ") m has a velocity, density or acceleration that is not a number at " << time_ << " s";
             throw std::runtime_error(message.str());
         }
         maxSpeed_ = std::sqrt(speed2);
@@ -358,33 +735,60 @@ class flowIn
 
 public:
 
-    flowIn(const particleState<dim>& start, const particleFlowModel<dim>& model, int nThreads)
+    flowIn
+    (
+        const particleState<dim>& start,
+        const particleFlowModel<dim>& model,
+        int nThreads,
+        const wallMotions& moving
+    )
     :
         model_(model),
         nThreads_(nThreads),
         state_(model.rho0, model.interaction.c0, model.interaction.gamma),
         interaction_(model.interaction),
-        cell_(std::pow(model.spacing, dim)),
         time_(start.time),
         wall_(start.wall),
         x_(start.x),
         v_(start.v),
+        a_(start.size(), vector{}),
         density_(start.density),
         mass_(start.mass)
     {
         packed_.rho0 = model.rho0;
+        const double cell = std::pow(model.spacing, dim);
         for (std::size_t k = mass_.size(); k < density_.size(); ++k)
         {
-            mass_.push_back((model.rho0 + density_[k])*cell_);
+            mass_.push_back((model.rho0 + (isFluid(k) ? density_[k] : 0))*cell);
+        }
+        for (const auto& motion : moving)
+        {
+            body& b = bodies_[motion.first];
+            b.now = b.end = b.felt = motion.second;
         }
         original_.resize(x_.size());
         for (std::size_t k = 0; k < x_.size(); ++k)
         {
             original_[k] = k;
             nFluid_ += isFluid(k);
+            const auto found = bodies_.find(wall_[k]);
+            if (found != bodies_.end())
+            {
+                const rigidMotion& motion = found->second.now;
+                const rigidMotion::vector v = motion.velocityAt(x_[k]);
+                std::copy_n(v.begin(), dim, v_[k].begin());
+                bodyParticles_.push_back({std::int32_t(k), 0, &found->second, motion.toBody(x_[k])});
+            }
         }
         search();
-        evaluate();
+        sumAcceleration();
+        if (!start.acceleration.empty())
+        {
+            for (std::size_t k = 0; k < x_.size(); ++k)
+            {
+                a_[k] = start.acceleration[original_[k]];
+            }
+        }
         checkFields();
     }
 
@@ -419,47 +823,29 @@ public:
         {
             search();
         }
-        evaluate();
-
-        const std::int64_t n = x_.size();
         xOld_ = x_;
-        vOld_ = v_;
-        densityOld_ = density_;
-        const double half = 0.5*deltaT;
-
-        #pragma omp parallel for num_threads(nThreads_) schedule(static)
-        for (std::int64_t k = 0; k < n; ++k)
+        if (model_.timeStepping == timeSteppingType::Verlet)
         {
-            if (isFluid(k))
-            {
-                density_[k] += half*rate(k);
-                for (int d = 0; d < dim; ++d)
-                {
-                    x_[k][d] += half*v_[k][d];
-                    v_[k][d] += half*acceleration(k, d);
-                }
-            }
+            stepVerlet(deltaT);
         }
-        evaluate();
-
-        #pragma omp parallel for num_threads(nThreads_) schedule(static)
-        for (std::int64_t k = 0; k < n; ++k)
+        else
         {
-            if (isFluid(k))
-            {
-                const double growth = deltaT*rate(k)/(model_.rho0 + density_[k]);
-                const double rho = (model_.rho0 + densityOld_[k])*(2 + growth)/(2 - growth);
-                density_[k] = rho - model_.rho0;
-                for (int d = 0; d < dim; ++d)
-                {
-                    v_[k][d] = vOld_[k][d] + deltaT*acceleration(k, d);
-                    x_[k][d] = xOld_[k][d] + half*(vOld_[k][d] + v_[k][d]);
-                }
-            }
+            stepSymplectic(deltaT);
         }
+        absorb(deltaT);
         time_ += deltaT;
         nParticleSteps_ += nFluid_;
         checkFields();
+    }
+
+    void moveWall(std::int32_t wall, const rigidMotion& end) override
+    {
+        bodies_.at(wall).end = end;
+    }
+
+    typename particleFlow<dim>::loads wallLoads(std::int32_t wall) const override
+    {
+        return bodies_.at(wall).loads;
     }
 
     particleState<dim> state() const override
@@ -468,6 +854,7 @@ public:
         s.time = time_;
         s.x.resize(x_.size());
         s.v.resize(x_.size());
+        s.acceleration.resize(x_.size());
         s.density.resize(x_.size());
         s.mass.resize(x_.size());
         s.pressure.resize(x_.size());
@@ -477,6 +864,7 @@ public:
             const std::int32_t i = original_[k];
             s.x[i] = x_[k];
             s.v[i] = v_[k];
+            s.acceleration[i] = a_[k];
             s.density[i] = density_[k];
             s.mass[i] = mass_[k];
             s.pressure[i] = state_.pressure(density_[k]);
@@ -485,68 +873,18 @@ public:
         return s;
     }
 
-    std::vector<vector> wallForces() const override
+    std::vector<vector> wallForces() override
     {
-        const interactionModel& m = model_.interaction;
-        const double h = m.h;
-        std::vector<vector> forces;
+        interaction_.sumWallForce(neighbours_, packed_, packed_.walls, nThreads_);
         const std::int32_t last = wall_.empty() ? -1 : *std::max_element(wall_.begin(), wall_.end());
-        vector zero;
-        zero.fill(0);
-        forces.assign(last + 1, zero);
-
-        auto packed = [this](std::size_t place, int field)
-        {
-            return static_cast<double>(packed_(place, field));
-        };
+        std::vector<vector> forces(last + 1, vector{});
         for (std::size_t k = 0; k < x_.size(); ++k)
         {
             if (!isFluid(k))
             {
-                continue;
-            }
-            const std::size_t i = place_[k];
-            for (auto c = neighbours_.begin(i); c != neighbours_.end(i); ++c)
-            {
-                for (int lane = 0; lane < clusterSize; ++lane)
+                for (int d = 0; d < dim; ++d)
                 {
-                    const std::size_t j = *c*clusterSize + lane;
-                    if (packed_.contents[j] != fields::content::wall)
-                    {
-                        continue;
-                    }
-                    double r2 = 0;
-                    double approach = 0;
-                    vector r, dv;
-                    for (int d = 0; d < dim; ++d)
-                    {
-                        r[d] = packed(i, fields::x + d) - packed(j, fields::x + d);
-                        dv[d] = packed(i, fields::v + d) - packed(j, fields::v + d);
-                        r2 += r[d]*r[d];
-                        approach += r[d]*dv[d];
-                    }
-                    if (r2 >= supportRadius()*supportRadius())
-                    {
-                        continue;
-                    }
-                    const double weight =
-                        packed(i, fields::volume)*packed(j, fields::volume)*kernelFactor(m.kernel, std::sqrt(r2)/h)
-                       *kernelNormalisation(m.kernel, dim)/std::pow(h, dim + 2);
-                    const double regular = r2 + 0.01*h*h;
-                    double stress = packed(i, fields::pressure) + packed(j, fields::pressure);
-                    if (m.viscosity == viscosityType::artificial && approach < 0)
-                    {
-                        stress -=
-                            m.alpha*h*m.c0*approach/regular
-                           *(model_.rho0 + 0.5*(packed(i, fields::density) + packed(j, fields::density)));
-                    }
-                    const double friction =
-                        m.viscosity == viscosityType::laminar && m.noSlip ? 2*m.mu*r2/regular : 0;
-                    vector& force = forces[wall_[neighbours_.order()[j]]];
-                    for (int d = 0; d < dim; ++d)
-                    {
-                        force[d] += weight*(stress*r[d] - friction*dv[d]);
-                    }
+                    forces[wall_[k]][d] += double(packed_.acceleration[d][place_[k]]) + packed_.friction[d][place_[k]];
                 }
             }
         }
@@ -595,8 +933,9 @@ public:
     {
         return
             neighbours_.bytes()
-          + packed_.contents.size()*(fields::nFields + 2*dim + 2)*sizeof(Real)
-          + x_.size()*(5*sizeof(vector) + 3*sizeof(double) + 3*sizeof(std::int32_t));
+          + neighbours_.size()*(fields::nFields + 3*dim + 2 + 2*dim*!bodies_.empty())*sizeof(Real)
+          + x_.size()*(7*sizeof(vector) + 3*sizeof(double) + 4*sizeof(std::int32_t))
+          + images_.size()*(sizeof(mirrorImage<dim>) + sizeof(vector));
     }
 
     long nSearches() const override
@@ -615,7 +954,8 @@ std::unique_ptr<Foam::smoothedParticles::particleFlow<dim>> Foam::smoothedPartic
 (
     const particleState<dim>& start,
     const particleFlowModel<dim>& model,
-    int nThreads
+    int nThreads,
+    const wallMotions& moving
 )
 {
     const interactionModel& m = model.interaction;
@@ -626,6 +966,7 @@ std::unique_ptr<Foam::smoothedParticles::particleFlow<dim>> Foam::smoothedPartic
     checkPositive("c0", m.c0);
     checkNotNegative("mu", m.mu);
     checkNotNegative("alpha", m.alpha);
+    checkNotNegative("beta", m.beta);
     checkNotNegative("delta", m.delta);
     checkPositive("number of threads", nThreads);
     if (!(m.gamma > 1) || !std::isfinite(m.gamma))
@@ -637,9 +978,16 @@ std::unique_ptr<Foam::smoothedParticles::particleFlow<dim>> Foam::smoothedPartic
         refuse("h", m.h/model.spacing, "1 to 10 spacings");
     }
     const std::size_t n = start.size();
-    if (start.v.size() != n || start.density.size() != n || start.wall.size() != n || (start.mass.size() != n && !start.mass.empty()))
+    if
+    (
+        start.v.size() != n || start.density.size() != n || start.wall.size() != n
+     || (start.mass.size() != n && !start.mass.empty()) || (start.acceleration.size() != n && !start.acceleration.empty())
+    )
     {
-        throw std::invalid_argument("state of the particles: expected as many velocities, densities, walls, and masses if any, as positions");
+        throw std::invalid_argument
+        (
+            "state of the particles: expected as many velocities, densities, walls, and masses and accelerations if any, as positions"
+        );
     }
     for (std::size_t k = 0; k < n; ++k)
     {
@@ -663,14 +1011,14 @@ std::unique_ptr<Foam::smoothedParticles::particleFlow<dim>> Foam::smoothedPartic
 
     if (model.singlePrecision)
     {
-        return std::unique_ptr<particleFlow<dim>>(new flowIn<float, dim>(start, model, nThreads));
+        return std::unique_ptr<particleFlow<dim>>(new flowIn<float, dim>(start, model, nThreads, moving));
     }
-    return std::unique_ptr<particleFlow<dim>>(new flowIn<double, dim>(start, model, nThreads));
+    return std::unique_ptr<particleFlow<dim>>(new flowIn<double, dim>(start, model, nThreads, moving));
 }
 
 
 template std::unique_ptr<Foam::smoothedParticles::particleFlow<2>> Foam::smoothedParticles::newParticleFlow<2>
-(const particleState<2>&, const particleFlowModel<2>&, int);
+(const particleState<2>&, const particleFlowModel<2>&, int, const wallMotions&);
 
 template std::unique_ptr<Foam::smoothedParticles::particleFlow<3>> Foam::smoothedParticles::newParticleFlow<3>
-(const particleState<3>&, const particleFlowModel<3>&, int);
+(const particleState<3>&, const particleFlowModel<3>&, int, const wallMotions&);

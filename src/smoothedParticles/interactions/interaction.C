@@ -24,8 +24,7 @@ namespace AVX2
     template<class Real, int dim>
     struct chooseLoop
     {
-        static typename interaction<Real, dim>::loop sums(const interactionModel& model);
-        static typename interaction<Real, dim>::loop extrapolation(const interactionModel& model);
+        static typename interaction<Real, dim>::loops all(const interactionModel& model);
     };
 }
 
@@ -49,13 +48,24 @@ void Foam::smoothedParticles::packedParticles<Real, dim>::resize(std::size_t nPl
             (*this)(i, x + d) = farAway;
         }
     }
-    contents.assign(nPlaces, content::nothing);
     densityRate.assign(nPlaces, 0);
     wallPressure.assign(nPlaces, 0);
     for (int d = 0; d < dim; ++d)
     {
         acceleration[d].assign(nPlaces, 0);
+        friction[d].assign(nPlaces, 0);
         wallVelocity[d].assign(nPlaces, 0);
+    }
+}
+
+
+template<class Real, int dim>
+void Foam::smoothedParticles::packedParticles<Real, dim>::moveWalls()
+{
+    for (int d = 0; d < dim; ++d)
+    {
+        ownVelocity[d].assign(densityRate.size(), 0);
+        ownAcceleration[d].assign(densityRate.size(), 0);
     }
 }
 
@@ -68,11 +78,7 @@ Foam::smoothedParticles::interaction<Real, dim>::interaction(const interactionMo
     model_(model)
 {
     const bool useAVX2 = wantAVX2 && __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-    sums_ = useAVX2 ? AVX2::chooseLoop<Real, dim>::sums(model) : SSE2::chooseLoop<Real, dim>::sums(model);
-    extrapolation_ =
-        useAVX2
-      ? AVX2::chooseLoop<Real, dim>::extrapolation(model)
-      : SSE2::chooseLoop<Real, dim>::extrapolation(model);
+    loops_ = useAVX2 ? AVX2::chooseLoop<Real, dim>::all(model) : SSE2::chooseLoop<Real, dim>::all(model);
     instructions_ = useAVX2 ? "AVX2" : "SSE2";
 }
 
@@ -85,16 +91,17 @@ void Foam::smoothedParticles::interaction<Real, dim>::run
     loop what,
     const clusterNeighbours<dim>& neighbours,
     packedParticles<Real, dim>& particles,
+    const std::vector<std::int32_t>& places,
     int nThreads
 ) const
 {
     constexpr std::size_t chunk = 64*clusterSize;
-    const std::int64_t nChunks = (neighbours.size() + chunk - 1)/chunk;
+    const std::int64_t nChunks = (places.size() + chunk - 1)/chunk;
 
     #pragma omp parallel for num_threads(nThreads) schedule(dynamic, 1)
     for (std::int64_t k = 0; k < nChunks; ++k)
     {
-        what(model_, neighbours, particles, k*chunk, std::min(neighbours.size(), (k + 1)*chunk));
+        what(model_, neighbours, particles, places.data() + k*chunk, std::min(places.size() - k*chunk, chunk));
     }
 }
 

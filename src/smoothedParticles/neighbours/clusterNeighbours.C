@@ -129,14 +129,15 @@ void Foam::smoothedParticles::clusterNeighbours<dim>::sort(const std::vector<pos
 
 
 template<int dim>
-void Foam::smoothedParticles::clusterNeighbours<dim>::renumber()
+void Foam::smoothedParticles::clusterNeighbours<dim>::renumber(std::int32_t n)
 {
-    std::int32_t next = 0;
+    std::int32_t first = 0;
+    std::int32_t second = n;
     for (std::int32_t& k : order_)
     {
         if (k >= 0)
         {
-            k = next++;
+            k = k < n ? first++ : second++;
         }
     }
 }
@@ -147,6 +148,7 @@ void Foam::smoothedParticles::clusterNeighbours<dim>::search
 (
     const std::vector<position>& x,
     const std::vector<unsigned char>& passive,
+    const std::vector<unsigned char>& silent,
     double radius,
     int nThreads
 )
@@ -235,7 +237,7 @@ void Foam::smoothedParticles::clusterNeighbours<dim>::search
             {
                 const std::size_t place = cluster*clusterSize + lane;
                 const std::size_t before = found.size();
-                if (order_[place] >= 0)
+                if (order_[place] >= 0 && !silent[order_[place]])
                 {
                     const position& xi = x[order_[place]];
                     const bool isPassive = passive[order_[place]];

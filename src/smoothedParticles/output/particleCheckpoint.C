@@ -39,6 +39,7 @@ void forArrays(State& state, const What& what)
 {
     what(state.x);
     what(state.v);
+    what(state.acceleration);
     what(state.density);
     what(state.mass);
     what(state.pressure);
@@ -51,7 +52,7 @@ std::string header(std::size_t n, double time, double spacing, double rho0)
 {
     std::ostringstream os;
     os  << std::setprecision(17)
-        << "plungeSPH particles: x v [float64 dimensions], density - rho0, mass, pressure [float64], wall [int32, -1 fluid]\n"
+        << "plungeSPH particles: x v a [float64 dimensions], density - rho0, mass, pressure [float64], wall [int32, -1 fluid]\n"
         << "dimensions " << dim << "\nparticles " << n << "\nspacing " << spacing << "\nrho0 " << rho0
         << "\ntime " << time << "\n\n";
     return os.str();
@@ -184,7 +185,7 @@ Foam::smoothedParticles::particleState<dim> Foam::smoothedParticles::readCheckpo
     const std::size_t n = value<std::size_t>(file, text, "particles");
     const std::streamoff start = is.tellg();
     is.seekg(0, std::ios::end);
-    const std::streamoff bytes = n*((2*dim + 3)*sizeof(double) + sizeof(std::int32_t));
+    const std::streamoff bytes = n*((3*dim + 3)*sizeof(double) + sizeof(std::int32_t));
     if (is.tellg() - start != bytes)
     {
         std::ostringstream os;

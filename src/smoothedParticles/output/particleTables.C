@@ -140,7 +140,7 @@ std::unique_ptr<Foam::csvTable> Foam::smoothedParticles::particleTables<dim>::re
 
 
 template<int dim>
-void Foam::smoothedParticles::particleTables<dim>::writeWalls(const particleFlow<dim>& flow)
+void Foam::smoothedParticles::particleTables<dim>::writeWalls(particleFlow<dim>& flow)
 {
     *wallTable_ << time_.value();
     for (const point& force : flow.wallForces())
@@ -236,7 +236,7 @@ void Foam::smoothedParticles::particleTables<dim>::writeProbes(const particleSta
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 template<int dim>
-void Foam::smoothedParticles::particleTables<dim>::write(const particleFlow<dim>& flow, const bool soundSpeedHolds)
+void Foam::smoothedParticles::particleTables<dim>::write(particleFlow<dim>& flow, const bool soundSpeedHolds)
 {
     if (time_.value() < next_ - 0.5*time_.deltaTValue())
     {

@@ -67,13 +67,6 @@ struct lattice
     {
         return label(std::ceil(support/spacing - 0.5 - sizeTolerance));
     }
-
-    const wordList& faces() const
-    {
-        static const wordList plane({"left", "right", "bottom", "top"});
-        static const wordList space({"left", "right", "front", "back", "bottom", "top"});
-        return dim == 2 ? plane : space;
-    }
 };
 
 
@@ -348,14 +341,7 @@ public:
 
         for (const word& face : dict.lookupOrDefault<wordList>("open", wordList()))
         {
-            const label i = grid.faces().find(face);
-            if (i < 0)
-            {
-                FatalIOErrorInFunction(dict)
-                    << "Entry open has the face " << face << nl
-                    << "Expected: any of " << flatOutput(grid.faces()) << exit(FatalIOError);
-            }
-            open_[i] = true;
+            open_[faceOf(face, grid.dim, dict, "open")] = true;
         }
 
         const scalar thickness = grid.nLayers()*grid.spacing;
@@ -682,6 +668,22 @@ Foam::scalar Foam::smoothedParticles::readSpacing(const dictionary& geometry)
             << "Expected: a positive number [m]." << exit(FatalIOError);
     }
     return spacing;
+}
+
+
+Foam::label Foam::smoothedParticles::faceOf(const word& face, const int dim, const dictionary& dict, const word& entry)
+{
+    static const wordList plane({"left", "right", "bottom", "top"});
+    static const wordList space({"left", "right", "front", "back", "bottom", "top"});
+    const wordList& faces = dim == 2 ? plane : space;
+    const label i = faces.find(face);
+    if (i < 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry " << entry << " has the face " << face << nl
+            << "Expected: any of " << flatOutput(faces) << exit(FatalIOError);
+    }
+    return i;
 }
 
 

@@ -6,6 +6,7 @@
 
 #include "Enum.H"
 #include "fluidSelection.H"
+#include "PtrList.H"
 #include "uniformDimensionedFields.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -23,11 +24,18 @@ const Enum<kernelType> kernelNames
     { kernelType::cubicSpline, "cubicSpline" },
 });
 
+const Enum<pressureType> pressureNames
+({
+    { pressureType::fluid, "fluid" },
+    { pressureType::solid, "solid" },
+});
+
 const Enum<viscosityType> viscosityNames
 ({
     { viscosityType::none, "none" },
     { viscosityType::laminar, "laminar" },
     { viscosityType::artificial, "artificial" },
+    { viscosityType::Riemann, "Riemann" },
 });
 
 const Enum<diffusionType> diffusionNames
@@ -35,6 +43,13 @@ const Enum<diffusionType> diffusionNames
     { diffusionType::none, "none" },
     { diffusionType::Molteni, "Molteni" },
     { diffusionType::Fourtakas, "Fourtakas" },
+    { diffusionType::Riemann, "Riemann" },
+});
+
+const Enum<timeSteppingType> timeSteppingNames
+({
+    { timeSteppingType::Verlet, "Verlet" },
+    { timeSteppingType::symplectic, "symplectic" },
 });
 
 //- noSlip?
@@ -156,6 +171,65 @@ void Foam::smoothedParticles::particleProperties::readSoundSpeed(const dictionar
 }
 
 
+void Foam::smoothedParticles::particleProperties::readSymmetry()
+{
+    if (!dict_.found("symmetry"))
+    {
+        return;
+    }
+    for (const dictionary& dict : PtrList<dictionary>(dict_.lookup("symmetry")))
+    {
+        titan::checkKeywords(dict, wordHashSet({"point", "normal"}));
+        const vector p(dict.get<vector>("point"));
+        const vector n(dict.get<vector>("normal"));
+        direction axis = 0;
+        for (direction d = 1; d < dimensions_; ++d)
+        {
+            axis = mag(n[d]) > mag(n[axis]) ? d : axis;
+        }
+        if (!(mag(n[axis]) > 0) || mag(n - n[axis]*vector(axis == 0, axis == 1, axis == 2)) > 0)
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry normal is " << n << nl
+                << "Expected: a direction along a coordinate" << (dimensions_ == 2 ? " of the plane" : "")
+                << ", into the fluid." << exit(FatalIOError);
+        }
+        common_.symmetry.push_back({axis, p[axis], n[axis] > 0 ? 1 : -1});
+    }
+}
+
+
+void Foam::smoothedParticles::particleProperties::readAbsorption()
+{
+    if (!dict_.found("absorption"))
+    {
+        return;
+    }
+    const dictionary& dict = dict_.subDict("absorption");
+    titan::checkKeywords(dict, wordHashSet({"min", "max", "thickness", "faces", "surface"}));
+    absorbingLayer& layer = common_.absorption;
+    layer.thickness = readPositive(dict, "thickness");
+    layer.surface = dict.get<scalar>("surface");
+    const vector low(dict.get<vector>("min"));
+    const vector high(dict.get<vector>("max"));
+    for (direction d = 0; d < dimensions_; ++d)
+    {
+        layer.min[d] = low[d];
+        layer.max[d] = high[d];
+        if (!(low[d] < high[d]))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entries min and max are " << low << " and " << high << nl
+                << "Expected: min below max in each direction." << exit(FatalIOError);
+        }
+    }
+    for (const word& face : dict.get<wordList>("faces"))
+    {
+        layer.absorbs[faceOf(face, dimensions_, dict, "faces")] = true;
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::smoothedParticles::particleProperties::particleProperties(const Time& runTime)
@@ -181,7 +255,8 @@ Foam::smoothedParticles::particleProperties::particleProperties(const Time& runT
         wordHashSet
         ({
             "FoamFile", "dimensions", "kernel", "smoothingLength", "viscosity", "alpha", "densityDiffusion", "delta",
-            "walls", "precision", "Courant", "liquid", "speedOfSound", "geometry", "outputs"
+            "walls", "precision", "timeStepping", "Courant", "liquid", "speedOfSound", "geometry", "bodies", "symmetry",
+            "absorption", "momentum", "beta", "outputs"
         })
     );
     if (dimensions_ != 2 && dimensions_ != 3)
@@ -194,7 +269,13 @@ Foam::smoothedParticles::particleProperties::particleProperties(const Time& runT
     }
 
     common_.spacing = readSpacing(geometry());
-    common_.Courant = positive(dict_, "Courant", dict_.lookupOrDefault<scalar>("Courant", common_.Courant));
+    common_.timeStepping = timeSteppingNames.lookupOrDefault("timeStepping", dict_, timeSteppingType::Verlet);
+    common_.Courant = positive
+    (
+        dict_,
+        "Courant",
+        dict_.lookupOrDefault<scalar>("Courant", common_.timeStepping == timeSteppingType::Verlet ? 0.5 : 0.2)
+    );
     common_.singlePrecision = precisionNames.lookupOrDefault("precision", dict_, true);
 
     interactionModel& m = common_.interaction;
@@ -202,14 +283,26 @@ Foam::smoothedParticles::particleProperties::particleProperties(const Time& runT
     m.h =
         common_.spacing
        *positive(dict_, "smoothingLength", dict_.lookupOrDefault<scalar>("smoothingLength", 1.5));
+    m.pressure = pressureNames.lookupOrDefault("momentum", dict_, pressureType::fluid);
     m.viscosity = viscosityNames.get("viscosity", dict_);
     m.alpha = readCoefficient(dict_, "alpha", m.viscosity == viscosityType::artificial, "viscosity artificial");
+    if (dict_.found("beta"))
+    {
+        m.beta = readCoefficient(dict_, "beta", m.viscosity == viscosityType::artificial, "viscosity artificial");
+    }
     m.diffusion = diffusionNames.get("densityDiffusion", dict_);
-    m.delta =
-        readCoefficient(dict_, "delta", m.diffusion != diffusionType::none, "densityDiffusion Molteni or Fourtakas");
+    m.delta = readCoefficient
+    (
+        dict_,
+        "delta",
+        m.diffusion == diffusionType::Molteni || m.diffusion == diffusionType::Fourtakas,
+        "densityDiffusion Molteni or Fourtakas"
+    );
     m.noSlip = wallNames.get("walls", dict_);
     readLiquid(dict_.subDict("liquid"));
     readSoundSpeed(dict_.subDict("speedOfSound"));
+    readSymmetry();
+    readAbsorption();
 }
 
 
@@ -226,7 +319,10 @@ Foam::smoothedParticles::particleFlowModel<dim> Foam::smoothedParticles::particl
     }
     result.spacing = common_.spacing;
     result.rho0 = common_.rho0;
+    result.timeStepping = common_.timeStepping;
     result.Courant = common_.Courant;
+    result.symmetry = common_.symmetry;
+    result.absorption = common_.absorption;
     result.singlePrecision = common_.singlePrecision;
     return result;
 }
@@ -235,9 +331,10 @@ Foam::smoothedParticles::particleFlowModel<dim> Foam::smoothedParticles::particl
 void Foam::smoothedParticles::particleProperties::print(Ostream& os) const
 {
     const interactionModel& m = common_.interaction;
-    os  << "Method: " << dimensions_ << " dimensions, " << kernelNames[m.kernel] << ", viscosity "
-        << viscosityNames[m.viscosity] << ", density diffusion " << diffusionNames[m.diffusion] << ", walls "
-        << wallNames[m.noSlip] << ", " << precisionNames[common_.singlePrecision] << " precision" << nl
+    os  << "Method: " << dimensions_ << " dimensions, " << kernelNames[m.kernel] << ", momentum " << pressureNames[m.pressure]
+        << ", viscosity " << viscosityNames[m.viscosity] << ", density diffusion " << diffusionNames[m.diffusion] << ", walls "
+        << wallNames[m.noSlip] << ", " << precisionNames[common_.singlePrecision] << " precision, "
+        << timeSteppingNames[common_.timeStepping] << " steps at Courant number " << common_.Courant << nl
         << "Lengths: spacing " << common_.spacing << " m, smoothing length " << m.h << " m" << nl
         << "Liquid: density " << common_.rho0 << " kg/m3, viscosity "
         << (m.viscosity == viscosityType::laminar ? m.mu : scalar(0)) << " Pa s, gamma " << m.gamma << nl
