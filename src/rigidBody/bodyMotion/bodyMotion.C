@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "bodyMotion.H"
+#include "bodyCoefficients.H"
 #include "sixDoFRigidBodyMotionSolver.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -42,14 +43,14 @@ const sixDoFRigidBodyMotionSolver& theSolver(const fvMesh& mesh)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::bodyMotion::loads Foam::bodyMotion::patchForces::calculate
+Foam::bodyLoads Foam::bodyMotion::patchForces::calculate
 (
     const point& centre
 )
 {
     calcForcesMoment();
 
-    loads l;
+    bodyLoads l;
     l.pressure = sum(force_[0]);
     l.viscous = sum(force_[1]);
     l.moment = momentEff() + ((coordSys_.origin() - centre) ^ forceEff());
@@ -87,21 +88,7 @@ void Foam::bodyMotion::check(const boundBox& domain) const
             << exit(FatalIOError);
     }
 
-    if (!(motion_.mass() > 0))
-    {
-        FatalIOErrorInFunction(dict_)
-            << "Entry mass is " << motion_.mass() << nl
-            << "Expected: a positive mass [kg]." << exit(FatalIOError);
-    }
-
-    const diagTensor& I = motion_.momentOfInertia();
-    if (!(min(min(I.xx(), I.yy()), I.zz()) > 0))
-    {
-        FatalIOErrorInFunction(dict_)
-            << "Entry momentOfInertia is " << I << nl
-            << "Expected: three positive moments of inertia [kg m^2]."
-            << exit(FatalIOError);
-    }
+    checkBodyCoefficients(dict_);
 
     const boundBox body(bounds());
     if (!domain.contains(body))
@@ -118,16 +105,6 @@ void Foam::bodyMotion::check(const boundBox& domain) const
             << "Expected: a point inside the domain " << domain
             << exit(FatalIOError);
     }
-
-    const scalar damping =
-        dict_.lookupOrDefault<scalar>("accelerationDamping", 1);
-    if (damping != 1)
-    {
-        WarningInFunction
-            << "accelerationDamping " << damping << " in " << dict_.name()
-            << " multiplies the body's acceleration: its trajectory is wrong"
-            << " by that factor. Use 1." << endl;
-    }
 }
 
 
@@ -140,7 +117,7 @@ Foam::tmp<Foam::vectorField> Foam::bodyMotion::velocity
 }
 
 
-Foam::bodyMotion::loads Foam::bodyMotion::fluidLoads() const
+Foam::bodyLoads Foam::bodyMotion::fluidLoads() const
 {
     if (!forces_)
     {

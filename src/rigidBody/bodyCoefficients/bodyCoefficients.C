@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "bodyCoefficients.H"
+
+#include "diagTensor.H"
+#include "tensor.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- Is there a constraint that leaves one axis of rotation or none?
+bool isRotationConstrained(const dictionary& coefficients)
+{
+    const dictionary constraints(coefficients.subOrEmptyDict("constraints"));
+    for (const entry& e : constraints)
+    {
+        if (e.isDict())
+        {
+            const word type(e.dict().get<word>("sixDoFRigidBodyMotionConstraint"));
+            if (type == "axis" || type == "orientation")
+            {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+void Foam::checkBodyCoefficients(const dictionary& coefficients)
+{
+    const scalar mass = coefficients.get<scalar>("mass");
+    if (!(mass > 0))
+    {
+        FatalIOErrorInFunction(coefficients)
+            << "Entry mass is " << mass << nl
+            << "Expected: a positive mass [kg]." << exit(FatalIOError);
+    }
+
+    const diagTensor I(coefficients.get<diagTensor>("momentOfInertia"));
+    if (!(min(min(I.xx(), I.yy()), I.zz()) > 0))
+    {
+        FatalIOErrorInFunction(coefficients)
+            << "Entry momentOfInertia is " << I << nl
+            << "Expected: three positive moments of inertia [kg m^2]."
+            << exit(FatalIOError);
+    }
+
+    // Room for a rotation that is written with few digits
+    const tensor Q(coefficients.lookupOrDefault("orientation", tensor::I));
+    if (!(mag((Q & Q.T()) - tensor::I) < 1e-3 && det(Q) > 0))
+    {
+        FatalIOErrorInFunction(coefficients)
+            << "Entry orientation is " << Q << nl
+            << "Expected: a rotation, with the body's axes as columns."
+            << exit(FatalIOError);
+    }
+
+    const scalar damping =
+        coefficients.lookupOrDefault<scalar>("accelerationDamping", 1);
+    if (damping != 1)
+    {
+        WarningInFunction
+            << "accelerationDamping " << damping << " in "
+            << coefficients.name()
+            << " multiplies the body's acceleration: its trajectory is wrong"
+            << " by that factor. Use 1." << endl;
+    }
+
+    const word integrator(coefficients.subDict("solver").get<word>("type"));
+    if
+    (
+        (integrator == "Newmark" || integrator == "CrankNicolson")
+     && !isRotationConstrained(coefficients)
+    )
+    {
+        WarningInFunction
+            << "solver " << integrator << " in " << coefficients.name()
+            << " leaves the gyroscopic moment out: a body that turns about"
+            << " more than one axis does not keep its angular momentum. Use"
+            << " symplectic or addedMass." << endl;
+    }
+}
+
+// ************************************************************************* //

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "freeBody.H"
+
+#include "bodyCoefficients.H"
+#include "fluidSelection.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- All that sixDoFRigidBodyMotion and its mesh motion solver read
+const wordHashSet keywords
+({
+    "mass", "momentOfInertia", "centreOfMass", "initialCentreOfMass",
+    "centreOfRotation", "orientation", "initialOrientation", "velocity",
+    "acceleration", "angularMomentum", "torque", "g", "solver", "constraints",
+    "restraints", "accelerationRelaxation", "accelerationDamping", "report",
+    "patches", "innerDistance", "outerDistance", "rho", "rhoInf", "test",
+    "CofGvelocity"
+});
+
+
+//- The coefficients, checked, and without a report of every step
+dictionary checked(const dictionary& coefficients)
+{
+    titan::checkKeywords(coefficients, keywords);
+    checkBodyCoefficients(coefficients);
+
+    const scalar relaxation =
+        coefficients.lookupOrDefault<scalar>("accelerationRelaxation", 1);
+    if (!(relaxation > 0 && relaxation <= 1))
+    {
+        FatalIOErrorInFunction(coefficients)
+            << "Entry accelerationRelaxation is " << relaxation << nl
+            << "Expected: above 0, up to 1." << exit(FatalIOError);
+    }
+    if (relaxation < 1)
+    {
+        WarningInFunction
+            << "accelerationRelaxation " << relaxation << " in "
+            << coefficients.name() << ": there are no outer corrections here,"
+            << " and the body's acceleration lags by "
+            << (1 - relaxation)/relaxation << " time steps. Use 1." << endl;
+    }
+
+    const dictionary restraints(coefficients.subOrEmptyDict("restraints"));
+    for (const entry& e : restraints)
+    {
+        if
+        (
+            e.isDict()
+         && e.dict().get<word>("sixDoFRigidBodyMotionRestraint")
+         == "linearSpringDamper"
+         && e.dict().lookupOrDefault<scalar>("frelax", 0.8) != 1
+        )
+        {
+            FatalIOErrorInFunction(e.dict())
+                << "Entry frelax is "
+                << e.dict().lookupOrDefault<scalar>("frelax", 0.8) << nl
+                << "Expected: frelax 1, for the force of the step before is"
+                << " not kept when the case is restarted."
+                << exit(FatalIOError);
+        }
+    }
+
+    dictionary result(coefficients);
+    result.remove("report");
+    return result;
+}
+
+
+//- f(number) for each number of a state, in the order of a file
+template<class State, class Function>
+void forNumbers(State& s, const Function& f)
+{
+    const auto forComponents = [&](auto& value)
+    {
+        for (direction d = 0; d < value.size(); ++d)
+        {
+            f(value[d]);
+        }
+    };
+    forComponents(s.motion.centreOfRotation());
+    forComponents(s.motion.Q());
+    forComponents(s.motion.v());
+    forComponents(s.motion.a());
+    forComponents(s.motion.pi());
+    forComponents(s.motion.tau());
+    forComponents(s.acceleration);
+    forComponents(s.angularAcceleration);
+    f(s.lastDeltaT);
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::freeBody::freeBody
+(
+    const dictionary& coefficients,
+    const Time& time,
+    const vector& g
+)
+:
+    motion_(checked(coefficients), coefficients, time),
+    g_(g),
+    acceleration_(Zero),
+    angularAcceleration_(Zero),
+    lastDeltaT_(0)
+{
+    // The first call in a process is not relaxed: use it up, without a step
+    const sixDoFRigidBodyMotionState start(motion_.state());
+    motion_.update(true, Zero, Zero, 0, 0);
+    motionState() = start;
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::sixDoFRigidBodyMotionState& Foam::freeBody::motionState()
+{
+    return const_cast<sixDoFRigidBodyMotionState&>(motion_.state());
+}
+
+
+Foam::vector Foam::freeBody::velocity() const
+{
+    return motion_.velocity(motion_.centreOfMass());
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::freeBody::advance
+(
+    const vector& force,
+    const vector& moment,
+    const scalar deltaT
+)
+{
+    const vector lastVelocity(velocity());
+    const vector lastOmega(motion_.omega());
+
+    // OpenFOAM takes moments about the centre of rotation
+    const vector total(force + motion_.mass()*g_);
+    motion_.newTime();
+    motion_.update
+    (
+        true,
+        total,
+        moment + (motion_.momentArm() ^ total),
+        deltaT,
+        lastDeltaT_ > 0 ? lastDeltaT_ : deltaT
+    );
+
+    acceleration_ = (velocity() - lastVelocity)/deltaT;
+    angularAcceleration_ = (motion_.omega() - lastOmega)/deltaT;
+    lastDeltaT_ = deltaT;
+}
+
+
+Foam::freeBody::fullState Foam::freeBody::state() const
+{
+    fullState s;
+    s.centreOfMass = motion_.centreOfMass();
+    s.orientation = motion_.orientation();
+    s.velocity = velocity();
+    s.omega = motion_.omega();
+    s.acceleration = acceleration_;
+    s.angularAcceleration = angularAcceleration_;
+    s.motion = motion_.state();
+    s.lastDeltaT = lastDeltaT_;
+    return s;
+}
+
+
+void Foam::freeBody::setState(const fullState& s)
+{
+    motionState() = s.motion;
+    acceleration_ = s.acceleration;
+    angularAcceleration_ = s.angularAcceleration;
+    lastDeltaT_ = s.lastDeltaT;
+}
+
+
+std::vector<double> Foam::freeBody::numbers() const
+{
+    std::vector<double> result;
+    const fullState s(state());
+    forNumbers(s, [&](const scalar x){ result.push_back(x); });
+    return result;
+}
+
+
+void Foam::freeBody::set(const std::vector<double>& numbers)
+{
+    fullState s(state());
+    std::size_t n = 0;
+    forNumbers(s, [&](const scalar){ ++n; });
+    if (numbers.size() != n)
+    {
+        FatalErrorInFunction
+            << "The saved state of a body has " << label(numbers.size())
+            << " numbers" << nl
+            << "Expected: " << label(n) << '.' << exit(FatalError);
+    }
+
+    auto next = numbers.begin();
+    forNumbers(s, [&](scalar& x){ x = *next++; });
+    setState(s);
+}
+
+// ************************************************************************* //
