@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 
@@ -13,6 +14,8 @@ namespace
 {
 
 using namespace Foam::smoothedParticles;
+using Foam::bodyLoads;
+using Foam::bodyState;
 
 // Search radius beyond the support, over the spacing: larger is slower to sum, and searched more seldom
 constexpr double skinRatio = 0.3;
@@ -134,12 +137,12 @@ class flowIn
 
         struct body
         {
-            rigidMotion now, end;
+            bodyState now, end;
 
-            //- Acceleration that the pressure on the wall is extrapolated with
-            rigidMotion felt;
+            //- With the acceleration that the pressure on the wall is extrapolated with
+            bodyState felt;
 
-            typename particleFlow<dim>::loads loads;
+            bodyLoads loads;
         };
 
         std::map<std::int32_t, body> bodies_;
@@ -149,7 +152,7 @@ class flowIn
             std::int32_t original;
             std::int32_t now;
             body* of;
-            rigidMotion::vector inBody;
+            Foam::vector inBody;
         };
 
         std::vector<bodyParticle> bodyParticles_;
@@ -170,6 +173,11 @@ class flowIn
     double nParticleSteps_ = 0;
     std::size_t nFluid_ = 0;
 
+
+    static Foam::vector toVector(const vector& x)
+    {
+        return Foam::vector(x[0], x[1], dim == 3 ? x[dim - 1] : 0);
+    }
 
     //- Bring an array into a new order
     template<class T>
@@ -407,7 +415,12 @@ class flowIn
     {
         for (const bodyParticle& p : bodyParticles_)
         {
-            const rigidMotion::vector a = p.of->felt.accelerationAt(x_[p.now]);
+            const bodyState& felt = p.of->felt;
+            const Foam::vector r(toVector(x_[p.now]) - felt.centreOfMass);
+            const Foam::vector a
+            (
+                felt.acceleration + (felt.angularAcceleration ^ r) + (felt.omega ^ (felt.omega ^ r))
+            );
             for (int d = 0; d < dim; ++d)
             {
                 packed_.ownVelocity[d][place_[p.now]] = v_[p.now][d];
@@ -476,24 +489,20 @@ class flowIn
         interaction_.sumWallForce(neighbours_, packed_, bodyPlaces_, nThreads_);
         for (auto& b : bodies_)
         {
-            b.second.loads = typename particleFlow<dim>::loads();
+            b.second.loads = {Foam::vector::zero, Foam::vector::zero, Foam::vector::zero};
         }
         for (const bodyParticle& p : bodyParticles_)
         {
-            rigidMotion::vector force{};
+            Foam::vector push(Foam::vector::zero), friction(Foam::vector::zero);
             for (int d = 0; d < dim; ++d)
             {
-                const double push = packed_.acceleration[d][place_[p.now]];
-                const double friction = packed_.friction[d][place_[p.now]];
-                p.of->loads.pressure[d] += push;
-                p.of->loads.friction[d] += friction;
-                force[d] = push + friction;
+                push[d] = packed_.acceleration[d][place_[p.now]];
+                friction[d] = packed_.friction[d][place_[p.now]];
             }
-            const rigidMotion::vector moment(rigidMotion::cross(p.of->now.arm(x_[p.now]), force));
-            for (int d = 0; d < 3; ++d)
-            {
-                p.of->loads.moment[d] += moment[d];
-            }
+            bodyLoads& loads = p.of->loads;
+            loads.pressure += push;
+            loads.viscous += friction;
+            loads.moment += (toVector(x_[p.now]) - p.of->now.centreOfMass) ^ (push + friction);
         }
     }
 
@@ -507,7 +516,7 @@ class flowIn
     {
         for (const bodyParticle& p : bodyParticles_)
         {
-            const rigidMotion::vector end = p.of->end.position(p.inBody);
+            const Foam::vector end(p.of->end.centreOfMass + (p.of->end.orientation & p.inBody));
             for (int d = 0; d < dim; ++d)
             {
                 v_[p.now][d] = (end[d] - xOld_[p.now][d])/deltaT;
@@ -524,18 +533,14 @@ class flowIn
         for (auto& b : bodies_)
         {
             body& one = b.second;
-            const rigidMotion last(one.felt);
+            const bodyState last(one.felt);
             one.now = one.felt = one.end;
-            for (int d = 0; d < 3; ++d)
-            {
-                one.felt.acceleration[d] = last.acceleration[d] + weight*(one.end.acceleration[d] - last.acceleration[d]);
-                one.felt.angularAcceleration[d] =
-                    last.angularAcceleration[d] + weight*(one.end.angularAcceleration[d] - last.angularAcceleration[d]);
-            }
+            one.felt.acceleration = (1 - weight)*last.acceleration + weight*one.end.acceleration;
+            one.felt.angularAcceleration = (1 - weight)*last.angularAcceleration + weight*one.end.angularAcceleration;
         }
     }
 
-    //- Fluid: what it was at the start of the step, and a kick and a drift of half a step
+    //- Fluid: a kick and a drift of half a step
     void kickAndDrift(double half)
     {
         const std::int64_t n = x_.size();
@@ -774,10 +779,11 @@ public:
             const auto found = bodies_.find(wall_[k]);
             if (found != bodies_.end())
             {
-                const rigidMotion& motion = found->second.now;
-                const rigidMotion::vector v = motion.velocityAt(x_[k]);
+                const bodyState& now = found->second.now;
+                const Foam::vector r(toVector(x_[k]) - now.centreOfMass);
+                const Foam::vector v(now.velocity + (now.omega ^ r));
                 std::copy_n(v.begin(), dim, v_[k].begin());
-                bodyParticles_.push_back({std::int32_t(k), 0, &found->second, motion.toBody(x_[k])});
+                bodyParticles_.push_back({std::int32_t(k), 0, &found->second, now.orientation.T() & r});
             }
         }
         search();
@@ -838,14 +844,27 @@ public:
         checkFields();
     }
 
-    void moveWall(std::int32_t wall, const rigidMotion& end) override
+    void moveWall(std::int32_t wall, const bodyState& end) override
     {
         bodies_.at(wall).end = end;
     }
 
-    typename particleFlow<dim>::loads wallLoads(std::int32_t wall) const override
+    bodyLoads wallLoads(std::int32_t wall) const override
     {
         return bodies_.at(wall).loads;
+    }
+
+    double reach(std::int32_t wall, const Foam::vector& direction) const override
+    {
+        double farthest = -std::numeric_limits<double>::max();
+        for (const bodyParticle& p : bodyParticles_)
+        {
+            if (wall_[p.now] == wall)
+            {
+                farthest = std::max(farthest, toVector(x_[p.now]) & direction);
+            }
+        }
+        return farthest;
     }
 
     particleState<dim> state() const override

@@ -44,16 +44,17 @@ void forArrays(State& state, const What& what)
     what(state.mass);
     what(state.pressure);
     what(state.wall);
+    what(state.bodies);
 }
 
 
 template<int dim>
-std::string header(std::size_t n, double time, double spacing, double rho0)
+std::string header(std::size_t n, std::size_t nBodies, double time, double spacing, double rho0)
 {
     std::ostringstream os;
     os  << std::setprecision(17)
-        << "plungeSPH particles: x v a [float64 dimensions], density - rho0, mass, pressure [float64], wall [int32, -1 fluid]\n"
-        << "dimensions " << dim << "\nparticles " << n << "\nspacing " << spacing << "\nrho0 " << rho0
+        << "plungeSPH particles: x v a [float64 dimensions], density - rho0, mass, pressure [float64], wall [int32, -1 fluid], bodies [float64]\n"
+        << "dimensions " << dim << "\nparticles " << n << "\nbodies " << nBodies << "\nspacing " << spacing << "\nrho0 " << rho0
         << "\ntime " << time << "\n\n";
     return os.str();
 }
@@ -128,7 +129,7 @@ void Foam::smoothedParticles::writeCheckpoint
         refuseSystem(part);
     }
     std::ofstream os(file, std::ios::binary);
-    const std::string text(header<dim>(state.size(), state.time, spacing, rho0));
+    const std::string text(header<dim>(state.size(), state.bodies.size(), state.time, spacing, rho0));
     os.write(text.data(), text.size());
     forArrays
     (
@@ -183,9 +184,10 @@ Foam::smoothedParticles::particleState<dim> Foam::smoothedParticles::readCheckpo
     particleState<dim> state;
     state.time = value<double>(file, text, "time");
     const std::size_t n = value<std::size_t>(file, text, "particles");
+    const std::size_t nBodies = value<std::size_t>(file, text, "bodies");
     const std::streamoff start = is.tellg();
     is.seekg(0, std::ios::end);
-    const std::streamoff bytes = n*((3*dim + 3)*sizeof(double) + sizeof(std::int32_t));
+    const std::streamoff bytes = n*((3*dim + 3)*sizeof(double) + sizeof(std::int32_t)) + nBodies*sizeof(double);
     if (is.tellg() - start != bytes)
     {
         std::ostringstream os;
@@ -198,8 +200,8 @@ Foam::smoothedParticles::particleState<dim> Foam::smoothedParticles::readCheckpo
         state,
         [&](auto& array)
         {
-            array.resize(n);
-            is.read(reinterpret_cast<char*>(array.data()), n*sizeof(array[0]));
+            array.resize(static_cast<const void*>(&array) == &state.bodies ? nBodies : n);
+            is.read(reinterpret_cast<char*>(array.data()), array.size()*sizeof(array[0]));
         }
     );
     if (!is)

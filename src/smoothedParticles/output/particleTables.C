@@ -72,7 +72,7 @@ Foam::smoothedParticles::particleTables<dim>::particleTables
         "time_s,kinetic_J,potential_J,internal_J,max_speed_m_s,c0_at_least_10_max_speed_so_far"
     )
 {
-    titan::checkKeywords(outputs, wordHashSet({"interval", "gauges", "probes"}));
+    titan::checkKeywords(outputs, wordHashSet({"interval", "surfaceLevel", "gauges", "probes"}));
     if (!(interval_ >= 0))
     {
         FatalIOErrorInFunction(outputs)

@@ -308,6 +308,19 @@ Foam::smoothedParticles::particleProperties::particleProperties(const Time& runT
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+bool Foam::smoothedParticles::particleProperties::isHalfModel() const
+{
+    for (const symmetryPlane& plane : common_.symmetry)
+    {
+        if (plane.axis == 1)
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
 template<int dim>
 Foam::smoothedParticles::particleFlowModel<dim> Foam::smoothedParticles::particleProperties::model() const
 {

@@ -23,6 +23,7 @@ Foam::smoothedParticles::particleSimulation<dim>::particleSimulation
     properties_(properties),
     model_(properties.template model<dim>()),
     nThreads_(nThreads),
+    bodies_(runTime, properties),
     tables_(runTime, properties.outputs(), model_, readWallNames(properties.geometry())),
     vtk_(runTime),
     progress_(runTime)
@@ -40,6 +41,7 @@ Foam::smoothedParticles::particleSimulation<dim>::particleSimulation
     // By its time step Time knows whether the end is reached
     chooseTimeStep();
     tables_.write(*flow_, soundSpeedHolds_);
+    bodies_.write(*flow_);
     vtk_.write(flow_->state(), model_.rho0);
 }
 
@@ -55,6 +57,7 @@ Foam::smoothedParticles::particleState<dim> Foam::smoothedParticles::particleSim
         try
         {
             const particleState<dim> state(readCheckpoint<dim>(checkpoint, model_.spacing, model_.rho0));
+            bodies_.set(state.bodies);
             // All digits, which the name of the directory has not
             time_.setTime(state.time, 0);
             lastGood_ = checkpoint;
@@ -77,6 +80,15 @@ Foam::smoothedParticles::particleState<dim> Foam::smoothedParticles::particleSim
 
 
 template<int dim>
+Foam::smoothedParticles::particleState<dim> Foam::smoothedParticles::particleSimulation<dim>::state() const
+{
+    particleState<dim> now(flow_->state());
+    now.bodies = bodies_.numbers();
+    return now;
+}
+
+
+template<int dim>
 void Foam::smoothedParticles::particleSimulation<dim>::build(const particleState<dim>& state)
 {
     if (flow_)
@@ -87,7 +99,7 @@ void Foam::smoothedParticles::particleSimulation<dim>::build(const particleState
     }
     try
     {
-        flow_ = newParticleFlow<dim>(state, model_, nThreads_);
+        flow_ = newParticleFlow<dim>(state, model_, nThreads_, bodies_.motions());
     }
     catch (const std::invalid_argument& e)
     {
@@ -137,6 +149,7 @@ void Foam::smoothedParticles::particleSimulation<dim>::advance()
 {
     try
     {
+        bodies_.advance(*flow_, time_.deltaTValue());
         flow_->advance(time_.deltaTValue());
     }
     catch (const std::runtime_error& e)
@@ -155,6 +168,7 @@ template<int dim>
 void Foam::smoothedParticles::particleSimulation<dim>::report()
 {
     tables_.write(*flow_, soundSpeedHolds_);
+    bodies_.write(*flow_);
     progress_.print(*flow_, particleSteps_ + flow_->nParticleSteps(), pairs_ + flow_->nPairs());
 }
 
@@ -167,7 +181,7 @@ void Foam::smoothedParticles::particleSimulation<dim>::write()
         return;
     }
 
-    const particleState<dim> state(flow_->state());
+    const particleState<dim> state(this->state());
     try
     {
         writeCheckpoint<dim>(time_.timePath(), state, model_.spacing, model_.rho0);
