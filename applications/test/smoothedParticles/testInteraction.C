@@ -169,13 +169,13 @@ std::array<double, dim + 1> rates(const cloud<dim>& c, std::size_t i, const inte
 
 
 template<class Real, int dim>
-double largestError(const cloud<dim>& c, const interactionModel& m, bool AVX2, double tolerance)
+double largestError(const cloud<dim>& c, const interactionModel& m, instructionSet widest, double tolerance)
 {
     clusterNeighbours<dim> neighbours;
     neighbours.sort(c.x, spacing);
     neighbours.search(c.x, none(c.x.size()), none(c.x.size()), 2.2*m.h, 1);
     auto particles = c.template packed<Real>(neighbours);
-    const interaction<Real, dim> interact(m, AVX2);
+    const interaction<Real, dim> interact(m, widest);
     interact.sumDensityRate(neighbours, particles, 1);
     interact.sumAcceleration(neighbours, particles, 1);
 
@@ -416,12 +416,12 @@ TEST(Interaction, agreesWithTheSumOverAllPairs)
     const cloud<3> space(12);
     for (const interactionModel& m : models(1.5*spacing))
     {
-        for (const bool AVX2 : {true, false})
+        for (const instructionSet widest : {instructionSet::SSE2, instructionSet::AVX2, instructionSet::AVX512})
         {
-            largestError<double, 2>(plane, m, AVX2, 1e-12);
-            largestError<double, 3>(space, m, AVX2, 1e-12);
-            largestError<float, 2>(plane, m, AVX2, 1e-4);
-            largestError<float, 3>(space, m, AVX2, 1e-4);
+            largestError<double, 2>(plane, m, widest, 1e-12);
+            largestError<double, 3>(space, m, widest, 1e-12);
+            largestError<float, 2>(plane, m, widest, 1e-4);
+            largestError<float, 3>(space, m, widest, 1e-4);
         }
     }
 }

@@ -18,8 +18,17 @@ namespace SSE2
     #include "interactionLoop.H"
 }
 
-// In interactionAVX2.C
+// In interactionAVX2.C and interactionAVX512.C
 namespace AVX2
+{
+    template<class Real, int dim>
+    struct chooseLoop
+    {
+        static typename interaction<Real, dim>::loops all(const interactionModel& model);
+    };
+}
+
+namespace AVX512
 {
     template<class Real, int dim>
     struct chooseLoop
@@ -40,8 +49,9 @@ void Foam::smoothedParticles::packedParticles<Real, dim>::resize(std::size_t nPl
     // Far enough for any support, near enough for its square
     constexpr Real farAway = 1e15;
 
-    packs_.assign(nPlaces*nFields, 0);
-    for (std::size_t i = 0; i < nPlaces; ++i)
+    // With a cluster that is always empty, after the last
+    packs_.assign((nPlaces + clusterSize)*nFields, 0);
+    for (std::size_t i = 0; i < nPlaces + clusterSize; ++i)
     {
         for (int d = 0; d < dim; ++d)
         {
@@ -73,13 +83,30 @@ void Foam::smoothedParticles::packedParticles<Real, dim>::moveWalls()
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 template<class Real, int dim>
-Foam::smoothedParticles::interaction<Real, dim>::interaction(const interactionModel& model, bool wantAVX2)
+Foam::smoothedParticles::interaction<Real, dim>::interaction(const interactionModel& model, instructionSet widest)
 :
     model_(model)
 {
-    const bool useAVX2 = wantAVX2 && __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-    loops_ = useAVX2 ? AVX2::chooseLoop<Real, dim>::all(model) : SSE2::chooseLoop<Real, dim>::all(model);
-    instructions_ = useAVX2 ? "AVX2" : "SSE2";
+    const bool hasAVX2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+    const bool hasAVX512 =
+        hasAVX2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq")
+     && __builtin_cpu_supports("avx512vl");
+
+    if (widest == instructionSet::AVX512 && hasAVX512)
+    {
+        loops_ = AVX512::chooseLoop<Real, dim>::all(model);
+        instructions_ = "AVX-512";
+    }
+    else if (widest != instructionSet::SSE2 && hasAVX2)
+    {
+        loops_ = AVX2::chooseLoop<Real, dim>::all(model);
+        instructions_ = "AVX2";
+    }
+    else
+    {
+        loops_ = SSE2::chooseLoop<Real, dim>::all(model);
+        instructions_ = "SSE2";
+    }
 }
 
 

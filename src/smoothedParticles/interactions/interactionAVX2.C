@@ -4,6 +4,7 @@
 // Before any header, so that their inline functions may be inlined here
 #pragma GCC target("avx2,fma")
 #pragma GCC optimize("no-math-errno", "no-trapping-math")
+#define plungeAVX2
 
 #include "interaction.H"
 #include "smoothingKernels.H"
