@@ -2,19 +2,15 @@
 
 #include "particleSetUp.H"
 #include "fluidSelection.H"
+#include "pointColumns.H"
 #include "smoothingKernels.H"
+#include "wallLayers.H"
 #include "weaklyCompressible.H"
 
 #include "DynamicList.H"
 #include "FlatOutput.H"
-#include "indexedOctree.H"
-#include "OSspecific.H"
-#include "orientedSurface.H"
 #include "PtrList.H"
 #include "Switch.H"
-#include "treeDataPoint.H"
-#include "triSurface.H"
-#include "triSurfaceSearch.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -176,16 +172,26 @@ pointField crossings(const latticeLines& lines, const Condition& wanted)
 //- One of the list walls
 class wallShape
 {
-    pointField particles_;
+    wallParticles particles_;
+    autoPtr<pointColumns> columns_;
 
-    autoPtr<indexedOctree<treeDataPoint>> tree_;
+    //- Around the wall and all that is too near to one of its particles
+    boundBox reach_;
 
 
 protected:
 
     const lattice grid_;
 
-    virtual pointField fillUp() const = 0;
+    virtual wallParticles fillUp() = 0;
+
+    virtual boundBox bounds() const = 0;
+
+    //- Is a point in the wall?
+    virtual bool contains(const point&) const = 0;
+
+    //- Of a closed wall: its solid, and what its particles, and cells where it has none, make of it
+    solidMeasures solid_, represented_;
 
 
 public:
@@ -194,6 +200,9 @@ public:
 
     //- Removed because another wall was there
     label nRemoved = 0;
+
+    //- Particles of fluid removed because this wall is there
+    label nFluidRemoved = 0;
 
 
     wallShape(const dictionary& dict, const lattice& grid)
@@ -207,10 +216,7 @@ public:
     //- At most so many particles, before any is made
     virtual scalar nParticles() const = 0;
 
-    //- Is a point in the wall?
-    virtual bool contains(const point&) const = 0;
-
-    const pointField& particles() const
+    const wallParticles& particles() const
     {
         return particles_;
     }
@@ -218,19 +224,21 @@ public:
     //- Is a point in the wall or too near to one of its particles?
     bool occupies(const point& p) const
     {
-        return contains(p) || tree_->findNearest(p, sqr(nearest*grid_.spacing)).hit();
+        return reach_.contains(p) && (contains(p) || columns_->findNearest(p, nearest*grid_.spacing) >= 0);
     }
 
     //- Make the particles where these other walls are not
     void make(const UPtrList<const wallShape>& others, const dictionary& dict)
     {
+        const wallParticles all(fillUp());
         DynamicList<point> kept;
-        for (const point& p : fillUp())
+        DynamicList<scalar> volume;
+        forAll(all.x, k)
         {
             bool occupied = false;
             forAll(others, i)
             {
-                occupied = occupied || others[i].occupies(p);
+                occupied = occupied || others[i].occupies(all.x[k]);
             }
             if (occupied)
             {
@@ -238,7 +246,8 @@ public:
             }
             else
             {
-                kept.append(p);
+                kept.append(all.x[k]);
+                volume.append(all.volume[k]);
             }
         }
         if (kept.empty())
@@ -250,21 +259,25 @@ public:
                 << grid_.spacing << " m." << exit(FatalIOError);
         }
 
-        particles_.transfer(kept);
-        treeBoundBox bounds(particles_);
-        bounds.min() -= vector::uniform(grid_.spacing);
-        bounds.max() += vector::uniform(grid_.spacing);
-        tree_.reset
-        (
-            new indexedOctree<treeDataPoint>
-            (
-                treeDataPoint(particles_),
-                bounds,
-                10,     // levels
-                10,     // points of a leaf
-                3.0     // copies of a point
-            )
-        );
+        particles_.x.transfer(kept);
+        particles_.volume.transfer(volume);
+        columns_.reset(new pointColumns(particles_.x, grid_.spacing));
+        reach_ = bounds();
+        reach_.min() -= vector::uniform(grid_.spacing);
+        reach_.max() += vector::uniform(grid_.spacing);
+    }
+
+    //- How well the particles represent a closed wall's solid
+    void printSolid(Ostream& os) const
+    {
+        if (solid_.volume > 0)
+        {
+            os  << "        " << (grid_.dim == 2 ? "area" : "volume") << " of the lattice " << represented_.volume
+                << ", of the shape " << solid_.volume << (grid_.dim == 2 ? " m2" : " m3") << " ("
+                << 100*(represented_.volume/solid_.volume - 1) << " %); centroids "
+                << mag(represented_.centroid() - solid_.centroid())/grid_.spacing << " spacings apart; inertia differs by "
+                << 100*mag(represented_.inertia() - solid_.inertia())/mag(solid_.inertia()) << " %" << nl;
+        }
     }
 };
 
@@ -277,6 +290,29 @@ protected:
 
     const boundBox box_;
     const vector n_;
+
+    //- Cells that a box is filled with are stretched, others are cubes
+    scalar cellVolume(const point& p) const
+    {
+        scalar volume = 1;
+        for (direction d = 0; d < grid_.dim; ++d)
+        {
+            const bool inside = box_.min()[d] < p[d] && p[d] < box_.max()[d];
+            volume *= inside ? (box_.max()[d] - box_.min()[d])/n_[d] : grid_.spacing;
+        }
+        return volume;
+    }
+
+    wallParticles withVolumes(pointField&& x) const
+    {
+        scalarField volume(x.size());
+        forAll(x, i)
+        {
+            volume[i] = cellVolume(x[i]);
+        }
+        return {std::move(x), std::move(volume)};
+    }
+
 
 public:
 
@@ -309,7 +345,7 @@ class tankWall
     boundBox outside_;
 
 
-    pointField fillUp() const
+    wallParticles fillUp()
     {
         latticeLines lines(fill(box_, n_));
         for (direction d = 0; d < grid_.dim; ++d)
@@ -325,7 +361,17 @@ class tankWall
                 appendCells(lines[d], box_.max()[d], dp, n);
             }
         }
-        return crossings(lines, [&](const point& p){ return !box_.contains(p); });
+        return withVolumes(crossings(lines, [&](const point& p){ return !box_.contains(p); }));
+    }
+
+    boundBox bounds() const
+    {
+        return outside_;
+    }
+
+    bool contains(const point& p) const
+    {
+        return outside_.contains(p) && !box_.contains(p);
     }
 
 
@@ -361,11 +407,6 @@ public:
         }
         return all - cmptProduct(n_);
     }
-
-    bool contains(const point& p) const
-    {
-        return outside_.contains(p) && !box_.contains(p);
-    }
 };
 
 
@@ -374,21 +415,35 @@ class solidBox
 :
     public boxWall
 {
-    pointField fillUp() const
+    wallParticles fillUp()
     {
-        return crossings
+        return withVolumes
         (
-            fill(box_, n_),
-            [&](const point& p)
-            {
-                bool deep = true;
-                for (direction d = 0; d < grid_.dim; ++d)
+            crossings
+            (
+                fill(box_, n_),
+                [&](const point& p)
                 {
-                    deep = deep && min(p[d] - box_.min()[d], box_.max()[d] - p[d]) > grid_.support;
+                    represented_.add(p, cellVolume(p));
+                    bool deep = true;
+                    for (direction d = 0; d < grid_.dim; ++d)
+                    {
+                        deep = deep && min(p[d] - box_.min()[d], box_.max()[d] - p[d]) > grid_.support;
+                    }
+                    return !deep;
                 }
-                return !deep;
-            }
+            )
         );
+    }
+
+    boundBox bounds() const
+    {
+        return box_;
+    }
+
+    bool contains(const point& p) const
+    {
+        return box_.contains(p);
     }
 
 
@@ -399,6 +454,11 @@ public:
         boxWall(dict, grid)
     {
         titan::checkKeywords(dict, {"name", "type", "solid", "min", "max"});
+
+        const vector size(box_.span());
+        const scalar volume = grid.dim == 2 ? size.x()*size.y() : cmptProduct(size);
+        const vector second(volume/12*cmptMultiply(size, size));
+        solid_.add(box_.midpoint(), volume, symmTensor(second.x(), 0, 0, second.y(), 0, second.z()));
     }
 
     scalar nParticles() const
@@ -410,93 +470,81 @@ public:
         }
         return cmptProduct(n_) - deep;
     }
+};
+
+
+//- A full sphere, or circle
+class sphereWall
+:
+    public wallShape
+{
+    const point centre_;
+    const scalar radius_;
+
+
+    wallParticles fillUp()
+    {
+        return sphereLayers(centre_, radius_, grid_.dim, grid_.spacing, grid_.nLayers(), represented_);
+    }
+
+    boundBox bounds() const
+    {
+        const vector toCorner(radius_, radius_, grid_.dim == 2 ? 0 : radius_);
+        return boundBox(centre_ - toCorner, centre_ + toCorner);
+    }
 
     bool contains(const point& p) const
     {
-        return box_.contains(p);
+        return magSqr(p - centre_) <= sqr(radius_);
+    }
+
+
+public:
+
+    sphereWall(const dictionary& dict, const lattice& grid)
+    :
+        wallShape(dict, grid),
+        centre_(readVector(dict, "centre", grid.dim)),
+        radius_(dict.get<scalar>("radius"))
+    {
+        titan::checkKeywords(dict, {"name", "type", "centre", "radius"});
+        if (!(radius_ >= grid.spacing) || !std::isfinite(radius_))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry radius is " << radius_ << nl
+                << "Expected: at least the spacing, " << grid.spacing << " m." << exit(FatalIOError);
+        }
+        solid_ = ballMeasures(centre_, radius_, grid.dim);
+    }
+
+    scalar nParticles() const
+    {
+        return std::pow(2*radius_/grid_.spacing, grid_.dim);
     }
 };
 
 
-//- Inside of a surface. Deeper than the kernel reaches there are no particles
+//- Inside of a surface
 class surfaceWall
 :
     public wallShape
 {
-    const fileName file_;
-    triSurface surface_;
-    triSurfaceSearch search_;
-    boundBox box_;
+    const closedSurface surface_;
 
 
-    static fileName find(const dictionary& dict, const fileName& caseDirectory)
+    wallParticles fillUp()
     {
-        fileName file(dict.get<fileName>("file"));
-        file.expand();
-        if (!file.isAbsolute())
-        {
-            file = caseDirectory/file;
-        }
-        if (!isFile(file))
-        {
-            FatalIOErrorInFunction(dict)
-                << "Entry file: there is no " << file << nl
-                << "Expected: a surface, relative to the case." << exit(FatalIOError);
-        }
-        return file;
+        return surfaceLayers(surface_, grid_.dim, grid_.spacing, grid_.nLayers(), represented_);
     }
 
-    void checkWatertight(const dictionary& dict) const
+    boundBox bounds() const
     {
-        label first = -1, nOpen = 0;
-        forAll(surface_.edgeFaces(), i)
-        {
-            if (surface_.edgeFaces()[i].size() != 2)
-            {
-                first = nOpen++ ? first : i;
-            }
-        }
-        if (surface_.empty())
-        {
-            FatalIOErrorInFunction(dict)
-                << "Entry file: " << file_ << " has no triangles" << nl
-                << "Expected: a watertight surface." << exit(FatalIOError);
-        }
-        if (nOpen)
-        {
-            const edge& e = surface_.edges()[first];
-            FatalIOErrorInFunction(dict)
-                << "Entry file: " << file_ << " leaks: " << nOpen << " of its "
-                << surface_.nEdges() << " edges have not exactly two triangles; the first, from "
-                << surface_.localPoints()[e.start()] << " to " << surface_.localPoints()[e.end()]
-                << ", has " << surface_.edgeFaces()[first].size() << nl
-                << "Expected: a watertight surface." << exit(FatalIOError);
-        }
+        return surface_.bounds();
     }
 
-    //- In the middle of the surface's bounding box, so that the particles are as symmetric as the surface
-    latticeLines lines() const
+    bool contains(const point& p) const
     {
-        const vector n(nCells());
-        const vector half(0.5*grid_.spacing*n);
-        return fill(boundBox(box_.midpoint() - half, box_.midpoint() + half), n);
-    }
-
-    vector nCells() const
-    {
-        return max(grid_.nCells(box_), vector(1, 1, 1));
-    }
-
-    pointField fillUp() const
-    {
-        return crossings
-        (
-            lines(),
-            [&](const point& p)
-            {
-                return search_.tree().findNearest(p, sqr(grid_.support)).hit() && contains(p);
-            }
-        );
+        return surface_.contains(p);
     }
 
 
@@ -505,26 +553,15 @@ public:
     surfaceWall(const dictionary& dict, const lattice& grid, const fileName& caseDirectory)
     :
         wallShape(dict, grid),
-        file_(find(dict, caseDirectory)),
-        surface_(file_),
-        search_(surface_),
-        box_(surface_.points(), false)
+        surface_(dict, caseDirectory, grid.dim)
     {
         titan::checkKeywords(dict, {"name", "type", "file"});
-        checkWatertight(dict);
-        orientedSurface::orient(surface_, search_, box_.max() + box_.span(), true);
+        solid_ = surface_.measures();
     }
 
     scalar nParticles() const
     {
-        return cmptProduct(nCells());
-    }
-
-    bool contains(const point& p) const
-    {
-        return
-            box_.contains(p)
-         && search_.tree().getVolumeType(p) == volumeType::INSIDE;
+        return cmptProduct(max(grid_.nCells(surface_.bounds()), vector(1, 1, 1)));
     }
 };
 
@@ -536,13 +573,14 @@ autoPtr<wallShape> newWall
     const fileName& caseDirectory
 )
 {
-    const word type
-    (
-        readType(dict, grid.dim == 2 ? wordList({"box"}) : wordList({"box", "surface"}))
-    );
+    const word type(readType(dict, {"box", "sphere", "surface"}));
     if (type == "surface")
     {
         return autoPtr<wallShape>(new surfaceWall(dict, grid, caseDirectory));
+    }
+    if (type == "sphere")
+    {
+        return autoPtr<wallShape>(new sphereWall(dict, grid));
     }
     if (dict.lookupOrDefault<Switch>("solid", false))
     {
@@ -755,14 +793,19 @@ Foam::smoothedParticles::particleState<dim> Foam::smoothedParticles::readParticl
     }
 
     particleState<dim> state;
-    const auto append = [&](const point& x, const vector& v, scalar density, scalar pressure, label wall)
+    const auto append = [&]
+    (
+        const point& x, const vector& v, scalar volume, scalar density, scalar pressure, label wall
+    )
     {
         state.x.push_back(toArray<dim>(x));
         state.v.push_back(toArray<dim>(v));
         state.density.push_back(density);
+        state.mass.push_back((model.rho0 + density)*volume);
         state.pressure.push_back(pressure);
         state.wall.push_back(wall);
     };
+    const scalar cell = std::pow(grid.spacing, dim);
 
     const interactionModel& liquid = model.interaction;
     const titan::MurnaghanLaw law
@@ -782,23 +825,31 @@ Foam::smoothedParticles::particleState<dim> Foam::smoothedParticles::readParticl
         const scalarField p(law.k0()*(pow(1 + load/(n*law.k0()), n) - 1));
         forAll(points, k)
         {
-            bool inFluid = false, inWall = false;
+            bool inFluid = false;
             for (label j = 0; j < i; ++j)
             {
                 inFluid = inFluid || fluids[j].filled().contains(points[k]);
             }
-            forAll(walls, j)
+            label wall = 0;
+            while (wall < walls.size() && !walls[wall].occupies(points[k]))
             {
-                inWall = inWall || walls[j].occupies(points[k]);
+                ++wall;
             }
-            nInWalls += inWall;
-            nInFluid += inFluid && !inWall;
-            if (!inFluid && !inWall)
+            if (wall < walls.size())
+            {
+                ++nInWalls;
+                ++walls[wall].nFluidRemoved;
+            }
+            else if (inFluid)
+            {
+                ++nInFluid;
+            }
+            else
             {
                 append
                 (
                     points[k], fluids[i].velocity,
-                    law.density(p[k]) - law.rho0(), p[k], particleState<dim>::fluid
+                    cell, law.density(p[k]) - law.rho0(), p[k], particleState<dim>::fluid
                 );
             }
         }
@@ -821,12 +872,15 @@ Foam::smoothedParticles::particleState<dim> Foam::smoothedParticles::readParticl
         << " in or near walls, " << nInFluid << " twice in fluid" << nl;
     forAll(walls, i)
     {
-        for (const point& x : walls[i].particles())
+        const wallParticles& particles = walls[i].particles();
+        forAll(particles.x, k)
         {
-            append(x, Zero, 0, 0, i);
+            append(particles.x[k], Zero, particles.volume[k], 0, 0, i);
         }
-        Info<< "    wall " << walls[i].name << ": " << walls[i].particles().size()
-            << ", removed " << walls[i].nRemoved << " in or near other walls" << nl;
+        Info<< "    wall " << walls[i].name << ": " << particles.x.size()
+            << ", removed " << walls[i].nRemoved << " in or near other walls, and "
+            << walls[i].nFluidRemoved << " of the fluid" << nl;
+        walls[i].printSolid(Info);
     }
     Info<< endl;
     return state;
