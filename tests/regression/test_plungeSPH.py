@@ -46,15 +46,21 @@ def checkpoint(run: Path, name: str, dimensions: int = 2) -> Tuple[np.ndarray, n
     return np.frombuffer(data, "<f8", nNumbers), np.frombuffer(data, "<i4", n, 8*nNumbers)
 
 
-def particles(run: Path, index: int = -1) -> Dict[str, np.ndarray]:
-    """What ParaView shows of a time of the series."""
-    files = json.loads((run / "VTK/particles.vtp.series").read_text())["files"]
+def polyData(run: Path, name: str, index: int) -> vtk.vtkPolyData:
+    """A time of a series, as ParaView reads it."""
+    files = json.loads((run / f"VTK/{name}.vtp.series").read_text())["files"]
     reader = vtk.vtkXMLPolyDataReader()
     reader.SetFileName(str(run / "VTK" / files[index]["name"]))
     reader.Update()
     output = reader.GetOutput()
-    assert output.GetNumberOfCells() == output.GetNumberOfPoints() > 0
     assert output.GetFieldData().GetArray("TimeValue").GetValue(0) == pytest.approx(files[index]["time"])
+    return output
+
+
+def particles(run: Path, index: int = -1) -> Dict[str, np.ndarray]:
+    """What ParaView shows of a time of the series."""
+    output = polyData(run, "particles", index)
+    assert output.GetNumberOfCells() == output.GetNumberOfPoints() > 0
     fields = {name: vtk_to_numpy(output.GetPointData().GetArray(name)) for name in ("U", "p", "rho", "wall")}
     return {"x": vtk_to_numpy(output.GetPoints().GetData()), **fields}
 
@@ -171,6 +177,52 @@ def test_notFinite(tmp_path: Path) -> None:
     run = case("damBreakParticles", tmp_path / "run", {"geometry/spacing": 0.015, "Courant": 20}, endTime=1, writeInterval=0.001)
     with pytest.raises(AssertionError, match="last good state"):
         foam("plungeSPH", "-threads", 1, case=run)
+
+
+def bodyCase(directory: Path, entries: Dict[str, object] = {}, bodies: str = "", **control: object) -> Path:
+    """A tank with a box that floats and a surface that falls, in three dimensions."""
+    run = case("damBreakParticles", directory, {
+        "dimensions": 3, "geometry/spacing": 0.05, "outputs": "{ interval 0.01; }",
+        "geometry/fluid": "( { type box; min (0 0 0); max (1 0.5 0.3); } )",
+        "geometry/walls": "( { name tank; type box; min (0 0 0); max (1 0.5 1); open (top); }"
+                          " { name float; type box; solid yes; min (0.1 0.15 0.3); max (0.3 0.35 0.5); }"
+                          " { name wedge_1; type surface; file wedge.stl; } )",
+        "bodies": "{ float { mass 4; momentOfInertia (0.03 0.03 0.03); centreOfMass (0.2 0.25 0.4);"
+                  " solver { type symplectic; } }"
+                  " wedge_1 { mass 6; momentOfInertia (0.05 0.05 0.05); centreOfMass (0.7 0.25 0.6);"
+                  " angularMomentum (0 0.02 0); solver { type symplectic; } } " + bodies + "}",
+        **entries}, **{"endTime": 0.04, "writeInterval": 0.02, **control})
+    shutil.copyfile(run / "constant/g.3D", run / "constant/g")
+    corners = np.array([(0.6, 0.15, 0.7), (0.8, 0.15, 0.7), (0.7, 0.15, 0.5), (0.6, 0.35, 0.7), (0.8, 0.35, 0.7), (0.7, 0.35, 0.5)])
+    triangles = [(0, 1, 2), (3, 5, 4), (0, 3, 4), (0, 4, 1), (1, 4, 5), (1, 5, 2), (2, 5, 3), (2, 3, 0)]
+    (run / "wedge.stl").write_text("solid wedge\n" + "".join(
+        "facet normal 0 0 0\nouter loop\n" + "".join(f"vertex {x} {y} {z}\n" for x, y, z in corners[list(triangle)])
+        + "endloop\nendfacet\n" for triangle in triangles) + "endsolid wedge\n")
+    return run
+
+
+def test_bodies(tmp_path: Path) -> None:
+    """Each body has its trajectory, and its surface where the trajectory says it is, before and after a restart."""
+    run = bodyCase(tmp_path / "run", endTime=0.02)
+    foam("plungeSPH", "-threads", 1, case=run)
+    setEntry(run, CONTROL, "endTime", 0.04)
+    foam("plungeSPH", "-threads", 1, case=run)
+    for name, cells in (("float", 6), ("wedge_1", 8)):
+        path = np.concatenate([np.genfromtxt(run / "postProcessing" / f"trajectory_{name}" / start / "trajectory.csv",
+                                             delimiter=",", names=True) for start in ("0", "0.02")])
+        assert [entry["time"] for entry in json.loads((run / f"VTK/{name}.vtp.series").read_text())["files"]] == [0, 0.02, 0.04]
+        shapes = [polyData(run, name, index) for index in range(3)]
+        assert all(shape.GetNumberOfPolys() == cells for shape in shapes)
+        corners = [vtk_to_numpy(shape.GetPoints().GetData()).astype(float) for shape in shapes]
+        for index, time_ in enumerate((0, 0.02, 0.04)):
+            line = path[np.argmin(np.abs(path["time_s"] - time_))]
+            centre = np.array([line[f"{c}_m"] for c in "xyz"])
+            # Rigid, about the centre of mass
+            np.testing.assert_allclose(np.linalg.norm(corners[index] - centre, axis=1),
+                                       np.linalg.norm(corners[0] - [path[0][f"{c}_m"] for c in "xyz"], axis=1), atol=1e-6)
+        fallen = corners[2].mean(axis=0) - corners[0].mean(axis=0)
+        assert fallen[2] < -0.25*GRAVITY*0.04**2 and np.abs(fallen[:2]).max() < 1e-3
+    assert np.ptp(np.sort(corners[2][:, 2])[-4:]) > 1e-3, "the wedge does not turn"
 
 
 MISTAKES = {

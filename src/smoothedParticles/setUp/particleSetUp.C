@@ -725,22 +725,25 @@ Foam::label Foam::smoothedParticles::faceOf(const word& face, const int dim, con
 }
 
 
+Foam::PtrList<Foam::dictionary> Foam::smoothedParticles::readWalls(const dictionary& geometry)
+{
+    return geometry.found("walls") ? readDictionaries(geometry, "walls") : PtrList<dictionary>();
+}
+
+
 Foam::wordList Foam::smoothedParticles::readWallNames(const dictionary& geometry)
 {
     DynamicList<word> names;
-    if (geometry.found("walls"))
+    for (const dictionary& wall : readWalls(geometry))
     {
-        for (const dictionary& wall : readDictionaries(geometry, "walls"))
+        const word name(wall.get<word>("name"));
+        if (names.found(name))
         {
-            const word name(wall.get<word>("name"));
-            if (names.found(name))
-            {
-                FatalIOErrorInFunction(geometry)
-                    << "Entry walls: two walls have the name " << name << nl
-                    << "Expected: different names." << exit(FatalIOError);
-            }
-            names.append(name);
+            FatalIOErrorInFunction(geometry)
+                << "Entry walls: two walls have the name " << name << nl
+                << "Expected: different names." << exit(FatalIOError);
         }
+        names.append(name);
     }
     return wordList(std::move(names));
 }
@@ -768,10 +771,7 @@ Foam::smoothedParticles::particleState<dim> Foam::smoothedParticles::readParticl
         fluids.set(i, new fluidBox(fluidDicts[i], grid));
         nParticles += fluids[i].nParticles();
     }
-    const PtrList<dictionary> wallDicts
-    (
-        geometry.found("walls") ? readDictionaries(geometry, "walls") : PtrList<dictionary>()
-    );
+    const PtrList<dictionary> wallDicts(readWalls(geometry));
     PtrList<wallShape> walls(wallDicts.size());
     forAll(walls, i)
     {

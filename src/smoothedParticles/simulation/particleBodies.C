@@ -5,6 +5,7 @@
 #include "particleSetUp.H"
 
 #include "FlatOutput.H"
+#include "Switch.H"
 
 #include <algorithm>
 #include <stdexcept>
@@ -19,6 +20,7 @@ Foam::smoothedParticles::particleBodies<dim>::particleBodies
 )
 :
     time_(runTime),
+    properties_(properties),
     halfModel_(properties.isHalfModel()),
     surfaceLevel_(properties.outputs().lookupOrDefault<scalar>("surfaceLevel", 0))
 {
@@ -29,6 +31,7 @@ Foam::smoothedParticles::particleBodies<dim>::particleBodies
     const dictionary& dict = properties.dict().subDict("bodies");
     const wordList wallNames(readWallNames(properties.geometry()));
     const wordList names(dict.toc());
+    const PtrList<dictionary> wallDicts(readWalls(properties.geometry()));
     for (const word& name : names)
     {
         const label wall = wallNames.find(name);
@@ -38,6 +41,19 @@ Foam::smoothedParticles::particleBodies<dim>::particleBodies
                 << "Entry " << name << " is no wall" << nl
                 << "Expected: the name of one of the geometry's walls, " << flatOutput(wallNames) << exit(FatalIOError);
         }
+        const dictionary& shape = wallDicts[wall];
+        if (shape.get<word>("type") == "box" && !shape.lookupOrDefault<Switch>("solid", false))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry " << name << " is a tank around the fluid, which cannot move" << nl
+                << "Expected: a solid wall." << exit(FatalIOError);
+        }
+        if (name == "particles")
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry " << name << " is a wall with the name of VTK/particles.vtp.series" << nl
+                << "Expected: another name for a wall that moves." << exit(FatalIOError);
+        }
         walls_.append(wall);
         bodies_.append(new freeBody(dict.subDict(name), runTime, properties.gravity()));
         trajectories_.append
@@ -45,6 +61,7 @@ Foam::smoothedParticles::particleBodies<dim>::particleBodies
             new bodyTrajectory(runTime, names.size() == 1 ? word("trajectory") : word("trajectory_" + name), properties.gravity())
         );
     }
+    starts_ = motions();
 }
 
 
@@ -88,6 +105,24 @@ void Foam::smoothedParticles::particleBodies<dim>::write(const particleFlow<dim>
             flow.reach(walls_[i], -trajectories_[i].up()) + surfaceLevel_,
             halfModel_
         );
+    }
+}
+
+
+template<int dim>
+void Foam::smoothedParticles::particleBodies<dim>::writeVTK()
+{
+    if (surfaces_.empty() && !bodies_.empty())
+    {
+        const PtrList<dictionary> wallDicts(readWalls(properties_.geometry()));
+        for (const label wall : walls_)
+        {
+            surfaces_.append(new bodyVTK(time_, wallDicts[wall], dim, starts_.at(wall)));
+        }
+    }
+    forAll(bodies_, i)
+    {
+        surfaces_[i].write(bodies_[i].state());
     }
 }
 

@@ -43,6 +43,7 @@ Foam::smoothedParticles::particleSimulation<dim>::particleSimulation
     tables_.write(*flow_, soundSpeedHolds_);
     bodies_.write(*flow_);
     vtk_.write(flow_->state(), model_.rho0);
+    bodies_.writeVTK();
 }
 
 
@@ -201,6 +202,7 @@ void Foam::smoothedParticles::particleSimulation<dim>::write()
     }
 
     vtk_.write(state, model_.rho0);
+    bodies_.writeVTK();
     build(state);
 }
 
