@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <sstream>
 #include <stdexcept>
 
@@ -852,19 +851,6 @@ public:
     bodyLoads wallLoads(std::int32_t wall) const override
     {
         return bodies_.at(wall).loads;
-    }
-
-    double reach(std::int32_t wall, const Foam::vector& direction) const override
-    {
-        double farthest = -std::numeric_limits<double>::max();
-        for (const bodyParticle& p : bodyParticles_)
-        {
-            if (wall_[p.now] == wall)
-            {
-                farthest = std::max(farthest, toVector(x_[p.now]) & direction);
-            }
-        }
-        return farthest;
     }
 
     particleState<dim> state() const override

@@ -135,6 +135,12 @@ Foam::smoothedParticles::bodyVTK::bodyVTK
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::scalar Foam::smoothedParticles::bodyVTK::reach(const bodyState& now, const vector& direction) const
+{
+    return (now.centreOfMass & direction) + max(points_ & (now.orientation.T() & direction));
+}
+
+
 void Foam::smoothedParticles::bodyVTK::write(const bodyState& now)
 {
     label nCorners = 0;

@@ -20,7 +20,6 @@ Foam::smoothedParticles::particleBodies<dim>::particleBodies
 )
 :
     time_(runTime),
-    properties_(properties),
     halfModel_(properties.isHalfModel()),
     surfaceLevel_(properties.outputs().lookupOrDefault<scalar>("surfaceLevel", 0))
 {
@@ -96,13 +95,14 @@ void Foam::smoothedParticles::particleBodies<dim>::write(const particleFlow<dim>
 {
     forAll(bodies_, i)
     {
+        const bodyState now(bodies_[i].state());
         trajectories_[i].write
         (
             time_.value(),
-            bodies_[i].state(),
+            now,
             flow.wallLoads(walls_[i]),
             bodies_[i].mass(),
-            flow.reach(walls_[i], -trajectories_[i].up()) + surfaceLevel_,
+            surfaces_[i].reach(now, -trajectories_[i].up()) + surfaceLevel_,
             halfModel_
         );
     }
@@ -110,16 +110,23 @@ void Foam::smoothedParticles::particleBodies<dim>::write(const particleFlow<dim>
 
 
 template<int dim>
+void Foam::smoothedParticles::particleBodies<dim>::makeSurfaces(const particleProperties& properties)
+{
+    if (bodies_.empty())
+    {
+        return;
+    }
+    const PtrList<dictionary> wallDicts(readWalls(properties.geometry()));
+    for (const label wall : walls_)
+    {
+        surfaces_.append(new bodyVTK(time_, wallDicts[wall], dim, starts_.at(wall)));
+    }
+}
+
+
+template<int dim>
 void Foam::smoothedParticles::particleBodies<dim>::writeVTK()
 {
-    if (surfaces_.empty() && !bodies_.empty())
-    {
-        const PtrList<dictionary> wallDicts(readWalls(properties_.geometry()));
-        for (const label wall : walls_)
-        {
-            surfaces_.append(new bodyVTK(time_, wallDicts[wall], dim, starts_.at(wall)));
-        }
-    }
     forAll(bodies_, i)
     {
         surfaces_[i].write(bodies_[i].state());
