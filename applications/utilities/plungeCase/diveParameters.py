@@ -42,7 +42,10 @@ def _word(*words: str) -> Check:
 
 _POSITIVE = _number("a number above 0", lambda v: v > 0)
 
+SOLVERS = ("plungeFoam", "plungeSPH")
+
 _PARAMETERS: dict[str, Check] = {
+    "solver": _word(*SOLVERS),
     "model": _word("half", "full"),
     "resolution": _number("a number from 0.5 to 16", lambda v: 0.5 <= v <= 16),
     "cores": _count(1),
@@ -59,6 +62,7 @@ _OPTIONAL: dict[str, Check] = {
     "body.mass": _POSITIVE,
     "body.centreOfMass": _POSITIVE,
     "body.momentOfInertia": _triple("three numbers above 0: (roll pitch yaw)", lambda v: v > 0),
+    "particles.c0": _POSITIVE,
 }
 _FLUIDS: dict[str, Check] = {
     "liquidDensity": _POSITIVE,
@@ -98,7 +102,14 @@ _TIER: dict[str, Check] = {
     "maxCo": _POSITIVE,
     "maxAlphaCo": _POSITIVE,
     "maxDeltaT": _POSITIVE,
+    "particleSpacing": _number("a number from 0.001 to 0.05", lambda v: 0.001 <= v <= 0.05),
 }
+
+# Half width of the particles' liquid about the path and its depth below it, the part of these that absorbs, and the height
+# of the tank above the surface, in body lengths.
+_REACH, _ABSORBING, _FREEBOARD = 0.35, 0.1, 0.1
+# c0 over the speed of the dive, unless given: eq. 5 of IAC-20-E2.1.9
+_SOUND_OVER_SPEED = 10
 
 
 def _flat(entries: dict[str, Any], prefix: str = "") -> dict[str, Any]:
@@ -185,7 +196,8 @@ class Dive:
         full = "-full" if self.given["model"] == "full" else ""
         resolution = self.given["resolution"]
         finer = f"-r{resolution:g}" if resolution != 1 else ""
-        return f"{self.given['fluids']}-{self.given['tier']}{full}{finer}"
+        other = f"-{self.given['solver']}" if self.given["solver"] != SOLVERS[0] else ""
+        return f"{self.given['fluids']}-{self.given['tier']}{full}{finer}{other}"
 
 
 def read(case: Path, overrides: dict[str, Any]) -> Dive:
@@ -228,38 +240,39 @@ def cores_split(cores: int) -> list[int]:
     return min(splits, key=lambda split: sum(n * a for n, a in zip(split, area)))
 
 
-def derive(dive: Dive) -> list[tuple[str, dict[str, Any]]]:
-    """All numbers that the case's dictionaries include, in titled sections (SI units)."""
-    p, fluids, tier = dive.given, dive.fluids, dive.tier
-    body = Body(float(p["body.length"]), float(p["body.thicknessRatio"]))
+@dataclass(frozen=True)
+class StraightPath:
+    """The dive's straight path, of the undisturbed body [m]."""
+
+    body: Body
+    speed: float
+    start: np.ndarray   # of the tail, at t = 0
+    nose: np.ndarray    # at t = 0
+    end: np.ndarray     # of the nose
+
+    @property
+    def duration(self) -> float:
+        """[s] at the initial speed"""
+        return float(np.linalg.norm(self.end - self.nose)) / self.speed
+
+
+def _vector(values: Any) -> list[float]:
+    return [float(x) + 0.0 for x in values]  # no -0
+
+
+def mesh_sections(dive: Dive, path: StraightPath) -> list[tuple[str, dict[str, Any]]]:
+    """What the two meshes of plungeFoam and its time steps need."""
+    p, tier, body = dive.given, dive.tier, path.body
     length, full, resolution = body.length, p["model"] == "full", p["resolution"]
-    angle = radians(p["dive.angle"])
-    forward = np.array([cos(angle), 0.0, -sin(angle)])
-    dorsal = np.array([sin(angle), 0.0, cos(angle)])
-    nose = np.array([0.0, 0.0, p["dive.gap"]])
-
-    mass = p.get("body.mass", p["body.density"] * body.volume)
-    centre = p.get("body.centreOfMass", body.centroid)
-    roll, pitch = (mass / body.volume * i for i in body.unit_inertia())
-    inertia = p.get("body.momentOfInertia", [roll, pitch, pitch])
-    share = 1.0 if full else 0.5
-
-    # What the liquid adds once the body is immersed: an estimate for the coupling, which does not change its result.
-    axial, transverse, rotary = body.added_mass_coefficients()
-    displaced = share * fluids["liquidDensity"] * body.volume
-    displaced_inertia = share * fluids["liquidDensity"] * body.unit_inertia()[1]
-
     size = mesh_size(body, tier, resolution)
-    path_end = nose + p["dive.travel"] * length * forward
-    path_start = nose - length * forward
 
     # The domain is a whole number of unrefined cells, with a cell face on z = 0.
     cell = tier["backgroundSpacing"] * length
     def cells(distance: float) -> int:
         return ceil(distance / cell - 1e-9)
-    x_low, x_high = -cells(1.5 * length - path_start[0]), cells(1.5 * length + path_end[0])
+    x_low, x_high = -cells(1.5 * length - path.start[0]), cells(1.5 * length + path.end[0])
     y_high = cells(1.5 * length)
-    z_low, z_high = -cells(1.5 * length - path_end[2]), cells(path_start[2] + 0.5 * length)
+    z_low, z_high = -cells(1.5 * length - path.end[2]), cells(path.start[2] + 0.5 * length)
     def refined(count: int) -> int:
         return max(1, round(count * resolution))
 
@@ -275,7 +288,7 @@ def derive(dive: Dive) -> list[tuple[str, dict[str, Any]]]:
     # The search for donor cells covers where the body mesh can get to.
     finest = cell / 2 ** tier["refinementLevels"] / resolution
     margin = 0.35 * length
-    box = np.array([np.minimum(path_start, path_end) - margin, np.maximum(path_start, path_end) + margin])
+    box = np.array([np.minimum(path.start, path.end) - margin, np.maximum(path.start, path.end) + margin])
     box[0, 1] = -margin if full else 0.0
     def voxels(cells_each: float) -> list[int]:
         return [ceil(span / (cells_each * finest)) for span in box[1] - box[0]]
@@ -290,38 +303,9 @@ def derive(dive: Dive) -> list[tuple[str, dict[str, Any]]]:
         volume = share_of_shell * np.pi * reach**2 * (path_length + 4 / 3 * reach)
         background += 7 / 8 * volume / (cell / 2**level / resolution) ** 3
     all_cells = background + quads * size.layers * (2 if full else 1)
-    time_step = min(0.5 * tier["maxCo"] * size.nose_spacing / p["dive.speed"], tier["maxDeltaT"] / resolution)
-
-    end_time = p["dive.travel"] * length / p["dive.speed"]
-    vector = lambda v: [float(x) + 0.0 for x in v]
+    time_step = min(0.5 * tier["maxCo"] * size.nose_spacing / path.speed, tier["maxDeltaT"] / resolution)
 
     return [
-        ("The dive", {
-            "fluids": p["fluids"], "model": p["model"], "tier": p["tier"], "resolution": resolution,
-            "bodyLength": length, "thicknessRatio": body.thickness_ratio,
-            "speed": float(p["dive.speed"]), "pathAngle": float(p["dive.angle"]), "gap": float(p["dive.gap"]),
-        }),
-        ("Fluids", {
-            **fluids,
-            "liquidKinematicViscosity": fluids["liquidViscosity"] / fluids["liquidDensity"],
-            "gasKinematicViscosity": fluids["gasViscosity"] / fluids["gasDensity"],
-            "gravityVector": [0, 0, -fluids["gravity"]],
-        }),
-        ("The whole body, at t = 0", {
-            "bodyVolume": body.volume, "bodyMass": mass, "bodyMomentOfInertia": vector(inertia),
-            "noseRadius": body.nose_radius, "centreOfMassFromNose": float(centre),
-            "nosePosition": vector(nose), "centreOfMass": vector(nose - centre * forward),
-            "forward": vector(forward), "dorsal": vector(dorsal),
-            "orientation": [float(x) + 0.0 for x in np.column_stack((forward, [0, 1, 0], dorsal)).ravel()],
-            "initialVelocity": vector(p["dive.speed"] * forward),
-        }),
-        ("What the model holds of it", {
-            "modelledMass": share * mass,
-            "modelledMomentOfInertia": vector(share * np.asarray(inertia)),
-            "modelledVolume": share * body.volume,
-            "addedMassEstimate": [axial * displaced, transverse * displaced, transverse * displaced],
-            "addedInertiaEstimate": [0.0, rotary * displaced_inertia, rotary * displaced_inertia],
-        }),
         ("Body mesh", {
             "capCells": size.cap_cells, "ringCells": size.ring_cells, "axialCells": size.axial_cells,
             "layers": size.layers, "noseSpacing": size.nose_spacing, "bodySpacing": size.body_spacing,
@@ -333,18 +317,104 @@ def derive(dive: Dive) -> list[tuple[str, dict[str, Any]]]:
             "yMax": y_high * cell, "zMin": z_low * cell, "zMax": z_high * cell,
             "xCells": counts[0], "yCells": counts[1],
             "zCellsLiquid": refined(-z_low), "zCellsGas": refined(z_high),
-            "pathStart": vector(path_start), "pathEnd": vector(path_end),
+            "pathStart": _vector(path.start), "pathEnd": _vector(path.end),
             "finestSpacing": finest,
             "refinementShells": shells,
-            "searchBoxMin": vector(box[0]), "searchBoxMax": vector(box[1]),
+            "searchBoxMin": _vector(box[0]), "searchBoxMax": _vector(box[1]),
             "backgroundVoxels": voxels(2), "bodyVoxels": voxels(0.5),
         }),
         ("Run", {
             "cores": p["cores"], "estimatedCells": round(all_cells, -3),
-            "estimatedSteps": round(end_time / time_step, -1), "coresSplit": cores_split(p["cores"]),
-            "diveDuration": end_time, "frameInterval": end_time / p["output.frames"],
-            "initialDeltaT": 0.05 * size.nose_spacing / p["dive.speed"],
+            "estimatedSteps": round(path.duration / time_step, -1), "coresSplit": cores_split(p["cores"]),
+            "diveDuration": path.duration, "frameInterval": path.duration / p["output.frames"],
+            "initialDeltaT": 0.05 * size.nose_spacing / path.speed,
             "deltaTLimit": tier["maxDeltaT"] / resolution, "courantLimit": tier["maxCo"],
             "interfaceCourantLimit": tier["maxAlphaCo"],
         }),
+    ]
+
+
+def particle_sections(dive: Dive, path: StraightPath) -> list[tuple[str, dict[str, Any]]]:
+    """What the particles of plungeSPH need: a box of liquid about the path, a whole number of spacings in each direction."""
+    p, length, full = dive.given, path.body.length, dive.given["model"] == "full"
+    spacing = dive.tier["particleSpacing"] * length / p["resolution"]
+    def spacings(distance: float) -> int:
+        return ceil(distance / spacing - 1e-9)
+    reach = _REACH * length
+    # The nose enters at x = 0; what of the body is above the surface meets no liquid.
+    low = [-spacings(reach), -spacings(reach) if full else 0, -spacings(reach + max(0.0, -path.end[2]))]
+    high = [spacings(reach + path.end[0]), spacings(reach), 0]
+    count = int(np.prod(np.subtract(high, low)))
+    c0 = float(p.get("particles.c0", _SOUND_OVER_SPEED * path.speed))
+
+    return [
+        ("Particles", {
+            "particleSpacing": spacing,
+            "liquidMin": _vector(np.multiply(low, spacing)), "liquidMax": _vector(np.multiply(high, spacing)),
+            "tankMax": _vector(np.multiply([*high[:2], spacings(_FREEBOARD * length)], spacing)),
+            "tankOpen": ["top"] if full else ["front", "top"],
+            "absorbingFaces": ["left", "right", *(["front"] if full else []), "back", "bottom"],
+            "absorbingThickness": _ABSORBING * length,
+            "particleSoundSpeed": c0,
+        }),
+        ("Run", {
+            "cores": p["cores"], "fluidParticles": count,
+            # Steps of 0.2 h/(c0 + speed), h 1.5 spacings, as constant/particleProperties has it
+            "estimatedSteps": round(path.duration * (c0 + path.speed) / (0.3 * spacing), -1),
+            "diveDuration": path.duration, "frameInterval": path.duration / p["output.frames"],
+        }),
+    ]
+
+
+def derive(dive: Dive) -> list[tuple[str, dict[str, Any]]]:
+    """All numbers that the case's dictionaries include, in titled sections (SI units)."""
+    p, fluids = dive.given, dive.fluids
+    body = Body(float(p["body.length"]), float(p["body.thicknessRatio"]))
+    length, full = body.length, p["model"] == "full"
+    angle = radians(p["dive.angle"])
+    forward = np.array([cos(angle), 0.0, -sin(angle)])
+    dorsal = np.array([sin(angle), 0.0, cos(angle)])
+    nose = np.array([0.0, 0.0, p["dive.gap"]])
+    path = StraightPath(body, float(p["dive.speed"]), nose - length * forward, nose, nose + p["dive.travel"] * length * forward)
+
+    mass = p.get("body.mass", p["body.density"] * body.volume)
+    centre = p.get("body.centreOfMass", body.centroid)
+    roll, pitch = (mass / body.volume * i for i in body.unit_inertia())
+    inertia = p.get("body.momentOfInertia", [roll, pitch, pitch])
+    share = 1.0 if full else 0.5
+
+    # What the liquid adds once the body is immersed: an estimate for the coupling, which does not change its result.
+    axial, transverse, rotary = body.added_mass_coefficients()
+    displaced = share * fluids["liquidDensity"] * body.volume
+    displaced_inertia = share * fluids["liquidDensity"] * body.unit_inertia()[1]
+
+    return [
+        ("The dive", {
+            "application": p["solver"],
+            "fluids": p["fluids"], "model": p["model"], "tier": p["tier"], "resolution": p["resolution"],
+            "bodyLength": length, "thicknessRatio": body.thickness_ratio,
+            "speed": path.speed, "pathAngle": float(p["dive.angle"]), "gap": float(p["dive.gap"]),
+        }),
+        ("Fluids", {
+            **fluids,
+            "liquidKinematicViscosity": fluids["liquidViscosity"] / fluids["liquidDensity"],
+            "gasKinematicViscosity": fluids["gasViscosity"] / fluids["gasDensity"],
+            "gravityVector": [0, 0, -fluids["gravity"]],
+        }),
+        ("The whole body, at t = 0", {
+            "bodyVolume": body.volume, "bodyMass": mass, "bodyMomentOfInertia": _vector(inertia),
+            "noseRadius": body.nose_radius, "centreOfMassFromNose": float(centre),
+            "nosePosition": _vector(nose), "centreOfMass": _vector(nose - centre * forward),
+            "forward": _vector(forward), "dorsal": _vector(dorsal),
+            "orientation": _vector(np.column_stack((forward, [0, 1, 0], dorsal)).ravel()),
+            "initialVelocity": _vector(path.speed * forward),
+        }),
+        ("What the model holds of it", {
+            "modelledMass": share * mass,
+            "modelledMomentOfInertia": _vector(share * np.asarray(inertia)),
+            "modelledVolume": share * body.volume,
+            "addedMassEstimate": [axial * displaced, transverse * displaced, transverse * displaced],
+            "addedInertiaEstimate": [0.0, rotary * displaced_inertia, rotary * displaced_inertia],
+        }),
+        *{"plungeFoam": mesh_sections, "plungeSPH": particle_sections}[p["solver"]](dive, path),
     ]
