@@ -15,6 +15,7 @@ CASE = ROOT / "cases/gannetPlunge"
 sys.path.insert(0, str(TOOLS))
 
 import bodyMesh  # noqa: E402
+import bodySurface  # noqa: E402
 import diveParameters  # noqa: E402
 import foamDictionary  # noqa: E402
 from bodyGeometry import Body  # noqa: E402
@@ -120,6 +121,46 @@ def test_no_cell_is_collapsed() -> None:
     assert gaps.min() > 1e-4
 
 
+# --- body surface ------------------------------------------------------------
+
+
+def test_surface_is_closed_wound_outwards_and_has_the_bodys_volume() -> None:
+    body = Body(2.0, 0.1)
+    points, triangles = bodySurface.build(body)
+    edges = np.vstack([triangles[:, [a, (a + 1) % 3]] for a in range(3)])
+    assert len(np.unique(edges, axis=0)) == len(edges)  # each edge once in its direction
+    assert {tuple(edge) for edge in edges} == {tuple(edge) for edge in edges[:, ::-1]}  # and once against it
+    assert len(points) - len(edges) // 2 + len(triangles) == 2  # one sphere
+    a, b, c = np.moveaxis(points[triangles], 1, 0)
+    # (x aft, y, z dorsal) is left-handed: outwards there is inwards to the eye of a right-handed system
+    normal = np.cross(b - a, c - a)
+    assert abs(np.einsum("ij,ij->", a, normal)) / 6 == pytest.approx(body.volume, rel=1e-3)
+    away = (a + b + c) / 3 - np.array([1.0, 0, 0]) * np.mean([a[:, 0], b[:, 0], c[:, 0]], axis=0)[:, None]
+    sides = np.einsum("ij,ij->i", normal, away)
+    assert (sides > 0).all() or (sides < 0).all()
+    # Fine at the nose: at most a fifth of its radius
+    near = a[:, 0] < body.nose_radius
+    assert max(np.linalg.norm(e[near], axis=1).max() for e in (b - a, c - b, a - c)) < 0.2 * body.nose_radius
+
+
+def test_surface_lies_where_the_dive_starts(case: Path) -> None:
+    assert plungeCase(case, "-solver", "plungeSPH", "-run", "run/a", "-set", "body.length=2").returncode == 0
+    run = case / "run/a"
+    subprocess.run([TOOLS / "plungeBodySurface", "-case", run], check=True)
+    data = (run / "constant/triSurface/body.stl").read_bytes()
+    facets = np.frombuffer(data, np.dtype([("normal", "<f4", 3), ("x", "<f4", (3, 3)), ("attribute", "<u2")]), offset=84)
+    given = foamDictionary.read(run / "system/plungeGenerated")
+    corners = facets["x"].astype(float)
+    along = (corners - given["nosePosition"]) @ given["forward"]
+    assert given["nosePosition"] == pytest.approx([0, 0, 0.01])
+    assert (along.max(), along.min()) == pytest.approx((0, -2), abs=1e-6)
+    volume = np.einsum("ij,ij->", corners[:, 0], np.cross(corners[:, 1], corners[:, 2])) / 6
+    assert volume == pytest.approx(given["bodyVolume"], rel=1e-3)  # wound outwards: positive
+    centroid = np.einsum("ij,ik->k", np.einsum("ij,ij->i", corners[:, 0], np.cross(corners[:, 1], corners[:, 2]))[:, None],
+                         corners.sum(axis=1)) / 24 / volume
+    assert centroid == pytest.approx(given["centreOfMass"], abs=1e-3)
+
+
 # --- parameters --------------------------------------------------------------
 
 
@@ -128,6 +169,8 @@ def test_no_cell_is_collapsed() -> None:
     (["-model", "quarter"], "entry 'model' is quarter; expected one of: half full"),
     (["-np", "0"], "entry 'cores' is 0; expected a whole number, at least 1"),
     (["-resolution", "fine"], "entry 'resolution' is fine; expected a number from 0.5 to 16"),
+    (["-solver", "interFoam"], "entry 'solver' is interFoam; expected one of: plungeFoam plungeSPH"),
+    (["-set", "particles.c0=0"], "entry 'particles.c0' is 0; expected a number above 0"),
     (["-set", "body.mass=-1"], "entry 'body.mass' is -1; expected a number above 0"),
     (["-set", "dive.angel=60"], "unknown entry 'dive.angel'"),
 ])
@@ -184,6 +227,74 @@ def test_half_model_has_half_the_mass_and_the_path_the_angle(case: Path) -> None
     assert axes @ axes.T == pytest.approx(np.eye(3), abs=1e-9) and np.linalg.det(axes) == pytest.approx(1)
 
 
+def particles(case: Path, *arguments: str) -> dict:
+    """What plungeSPH's dive is generated from."""
+    done = plungeCase(case, "-solver", "plungeSPH", *arguments)
+    assert done.returncode == 0, done.stderr
+    return foamDictionary.read(Path(done.stdout.strip()) / "system/plungeGenerated")
+
+
+def test_both_solvers_dive_from_the_same_scene(case: Path) -> None:
+    """The same dive, fluids and body, in run directories of their own, each with its solver's files alone."""
+    assert plungeCase(case, "-fluids", "water").returncode == 0
+    mesh, liquid = foamDictionary.read(case / "run/water-fast/system/plungeGenerated"), particles(case, "-fluids", "water")
+    of_meshes = set(mesh) - set(liquid)
+    assert {"noseSpacing", "xCells", "courantLimit"} <= of_meshes and "particleSpacing" in set(liquid) - set(mesh)
+    assert {key for key in set(mesh) & set(liquid) if mesh[key] != liquid[key]} == {"application", "estimatedSteps"}
+    run = case / "run/water-fast-plungeSPH"
+    files = {str(path.relative_to(run)) for path in run.rglob("*") if path.is_file()}
+    assert files == {"constant/g", "constant/bodyMotion", "constant/particleProperties", "plunge.sbatch",
+                     "system/controlDict", "system/plungeGenerated"}
+    assert not (case / "run/water-fast/constant/particleProperties").exists()
+
+
+def expanded(run: Path, dictionary: str, entry: str) -> dict:
+    """A sub-dictionary as OpenFOAM reads it."""
+    done = subprocess.run(["foamDictionary", "-entry", entry, run / dictionary],
+                          check=True, capture_output=True, text=True)
+    return foamDictionary.parse(done.stdout, dictionary)[entry.split("/")[-1]]
+
+
+@pytest.mark.parametrize("model", ["half", "full"])
+def test_both_solvers_move_the_same_body(case: Path, model: str) -> None:
+    for solver in diveParameters.SOLVERS:
+        assert plungeCase(case, "-solver", solver, "-model", model, "-run", f"run/{solver}").returncode == 0
+    motion = expanded(case / "run/plungeFoam", "constant/dynamicMeshDict", "sixDoFRigidBodyMotionCoeffs")
+    body = expanded(case / "run/plungeSPH", "constant/particleProperties", "bodies/body")
+    # Apart from what says which mesh moves
+    assert body == {key: value for key, value in motion.items()
+                    if key not in ("patches", "innerDistance", "outerDistance", "rho", "report")}
+    assert body["mass"] > 0 and set(body["constraints"]) == ({"plane", "axis"} if model == "half" else set())
+    entries = subprocess.run(["foamDictionary", "-keywords", case / "run/plungeSPH/constant/particleProperties"],
+                             check=True, capture_output=True, text=True).stdout.split()
+    assert ("symmetry" in entries) == (model == "half") and "dive" not in entries and "geometry" in entries
+
+
+def test_particles_fill_whole_spacings_about_the_path(case: Path) -> None:
+    for model, resolution in (("half", 1), ("full", 1), ("half", 1.3)):
+        g = particles(case, "-model", model, "-resolution", str(resolution), "-run", f"run/{model}{resolution}")
+        spacing = g["particleSpacing"]
+        assert spacing == pytest.approx(0.0145 / resolution)
+        low, high, top = (np.array(g[name]) / spacing for name in ("liquidMin", "liquidMax", "tankMax"))
+        for corner in (low, high, top):
+            assert corner == pytest.approx(np.round(corner), abs=1e-6)
+        assert g["fluidParticles"] == np.prod(np.round(high - low))
+        assert g["liquidMax"][2] == 0 < g["tankMax"][2]
+        assert g["liquidMin"][1] == (0 if model == "half" else -g["liquidMax"][1])
+        assert ("front" in g["tankOpen"]) == (model == "half") != ("front" in g["absorbingFaces"])
+        # The path of the nose, and a third of a length about it
+        end = np.array([0.0, 0, 0.01]) + 1.125 * np.array(g["forward"])
+        assert (np.array(g["liquidMin"])[[0, 2]] <= np.minimum(0, end[[0, 2]]) - 0.35).all()
+        assert g["liquidMax"][0] >= end[0] + 0.35 and g["liquidMax"][1] >= 0.35
+    for tier, least, most in (("fast", 1.3e5, 2e5), ("standard", 3.5e5, 5e5), ("fine", 1.1e6, 1.5e6)):
+        assert least < particles(case, "-tier", tier)["fluidParticles"] < most
+
+
+def test_speed_of_sound_is_ten_times_the_dives_unless_given(case: Path) -> None:
+    assert particles(case, "-run", "run/a", "-set", "dive.speed=20")["particleSoundSpeed"] == 200
+    assert particles(case, "-run", "run/b", "-set", "particles.c0=11.6")["particleSoundSpeed"] == 11.6
+
+
 def test_run_directory_is_kept_for_the_same_dive_and_refused_for_another(case: Path) -> None:
     first = plungeCase(case, "-run", "run/a")
     assert first.stdout.strip() == str(case / "run/a")
@@ -193,6 +304,8 @@ def test_run_directory_is_kept_for_the_same_dive_and_refused_for_another(case: P
     assert kept.read_text().endswith("// edited by hand\n")
     refused = plungeCase(case, "-run", "run/a", "-fluids", "water")
     assert refused.returncode != 0 and "holds another dive" in refused.stderr
+    refused = plungeCase(case, "-run", "run/a", "-solver", "plungeSPH")
+    assert refused.returncode != 0 and "holds another dive" in refused.stderr and "application" in refused.stderr
 
 
 @pytest.mark.parametrize("cores", [1, 2, 6, 7, 64])

@@ -365,3 +365,84 @@ def test_pictures_are_drawn_without_a_display(tmp_path):
     height = [np.mean(np.nonzero(seen)[0]) for seen in body if seen.sum() > 50]
     assert len(height) == 2 and height[1] > height[0] + 20  # rows count downwards: it sinks
     assert sorted(p.name for p in (tmp_path / "results/dive").iterdir()) == ["dive_0.png", "dive_1.png"]
+
+
+# --- a dive of plungeSPH -------------------------------------------------------------
+
+SPACING = 0.05
+
+
+def particle_dive(case: Path) -> Path:
+    """A case as plungeSPH leaves it: a sphere that falls into particles below z = 0, which gain speed with time."""
+    from plungeSurfaces import Series
+    from vtkmodules.numpy_interface import dataset_adapter as dsa
+    from vtkmodules.util.numpy_support import numpy_to_vtk
+    from vtkmodules.vtkCommonCore import vtkPoints
+    from vtkmodules.vtkCommonDataModel import vtkPolyData
+    from vtkmodules.vtkFiltersSources import vtkSphereSource
+
+    header = "FoamFile {{ version 2.0; format ascii; class dictionary; object {}; }}\n"
+    for path, text in {
+            "system/controlDict": "application plungeSPH;\n",
+            "constant/particleProperties": f"geometry {{ spacing {SPACING}; }}\n",
+    }.items():
+        (case / path).parent.mkdir(parents=True)
+        (case / path).write_text(header.format(Path(path).name) + text)
+    (case / "log.plungeSPH").write_text("Start: 1234 of the fluid, 56 of walls, from the geometry\n")
+    write_table(case / "postProcessing/trajectory/0/trajectory.csv", constant_deceleration())
+    write_table(case / "postProcessing/energy/0/energy.csv", {"time_s": np.array([0.0, 0.05])})
+
+    line = np.arange(-0.975, 1, SPACING)
+    places = np.stack(np.meshgrid(line, [0.025, 0.075], line - 1, indexing="ij"), axis=-1).reshape(-1, 3)
+    liquid, body = Series(case / "VTK", "particles"), Series(case / "VTK", "body")
+    for time, z in ((0.0, 1.0), (0.02, 0.5), (0.04, -0.5)):
+        data = vtkPolyData()
+        points = vtkPoints()
+        points.SetData(numpy_to_vtk(places, deep=True))
+        data.SetPoints(points)
+        arrays = dsa.WrapDataObject(data).PointData
+        arrays.append(np.where(places[:, 2] < -1.95, 0, -1), "wall")
+        arrays.append(np.full_like(places, 100 * time), "U")
+        liquid.add(time, data)
+        sphere = vtkSphereSource()
+        sphere.SetCenter(0, 0, z)
+        sphere.SetRadius(0.3)
+        sphere.SetThetaResolution(40)
+        sphere.SetPhiResolution(40)
+        sphere.Update()
+        body.add(time, sphere.GetOutput())
+    return case
+
+
+def test_the_slice_is_the_liquid_near_the_plane_of_symmetry(tmp_path):
+    from plungeParticles import Case, outlines
+    from plungeSurfaces import read_surface
+
+    dive = Case(particle_dive(tmp_path), "body")
+    points, speed = dive.slice(dive.particles[1][1])
+    assert len(points) == 40 * 39  # of two layers in y the first; its lowest particles are of the wall
+    assert points[:, 1].min() == pytest.approx(-1.925) and speed == pytest.approx(2 * np.sqrt(3))
+    assert dive.extent()["high_m"] == pytest.approx([1.3, 0.8, -0.2], abs=1e-6)
+    loop, = outlines(read_surface(dive.body[0][1]))
+    assert np.hypot(loop[:, 0], loop[:, 1] - 1) == pytest.approx(0.3, abs=0.005)
+    assert np.abs(np.ptp(loop, axis=0) - 0.6).max() < 0.01 and loop[0] == pytest.approx(loop[-1])
+
+
+def test_a_dive_of_particles_is_reported_without_a_mesh(tmp_path):
+    import matplotlib.image
+
+    case = particle_dive(tmp_path)
+    done = subprocess.run([TOOLS / "plungePost", case], capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    assert "1,234 particles of liquid" in done.stdout and "ledger" not in done.stdout
+    numbers = read_numbers(case / "results/summary.csv")
+    assert not any("ledger" in name for name in numbers)
+    assert numbers["full immersion time"][0] == pytest.approx(0.036)
+    assert sorted(p.name for p in (case / "results").iterdir()) == [
+        "dive.png", "energy.csv", "summary.csv", "trajectory.csv", "trajectory.pdf", "trajectory.png"]
+    picture = matplotlib.image.imread(case / "results/dive.png")
+    assert ((picture[..., 0] > 0.9) & (np.abs(picture[..., 1] - 0.64) < 0.05) & (picture[..., 2] < 0.3)).sum() > 1000  # the body
+
+    (case / "VTK/body.vtp.series").unlink()
+    done = subprocess.run([TOOLS / "plungePost", case], capture_output=True, text=True)
+    assert done.returncode != 0 and "body.vtp.series: not found; plungePost writes it for meshes, plungeSPH" in done.stderr

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tables of a plungeFoam case: gathered over restarts, and the numbers drawn from them."""
+"""Tables of a case of plungeFoam or plungeSPH: gathered over restarts, and the numbers drawn from them."""
 
 from __future__ import annotations
 
@@ -231,9 +231,30 @@ def cell_count(case: Path) -> int:
 PARAMETERS = "system/plungeGenerated"  # written by plungeCase
 
 
+def solver_name(case: Path) -> str:
+    """The solver that the case is for: plungeSPH has particles, any other a mesh."""
+    return entry(case, "system/controlDict", "application")
+
+
+def solver_log(case: Path) -> str:
+    """What the solver has printed, over restarts."""
+    path = case / f"log.{solver_name(case)}"
+    if not path.is_file():
+        raise CaseError(f"{path}: not found; has the case's Allrun run?")
+    return path.read_text()
+
+
+def particle_counts(case: Path) -> tuple[int, int]:
+    """Particles of the fluid and of walls at the start."""
+    found = re.search(r"^Start: (\d+) of the fluid, (\d+) of walls", solver_log(case), re.M)
+    if not found:
+        raise CaseError(f"{case}/log.plungeSPH: no line 'Start: ... of the fluid'; has the solver started?")
+    return int(found[1]), int(found[2])
+
+
 def cpu_seconds(run: Path) -> float:
-    """CPU time of the solver's master rank [s], over restarts."""
-    times = [float(t) for t in re.findall(r"^ExecutionTime = ([\d.]+) s", (run / "log.plungeFoam").read_text(), re.M)]
+    """CPU time of the solver [s], over restarts: of the master rank, or of all threads."""
+    times = [float(t) for t in re.findall(r"^ExecutionTime = ([\d.]+) s", solver_log(run), re.M)]
     return sum(t for t, later in zip(times, times[1:] + [0.0]) if later < t)
 
 
@@ -243,12 +264,15 @@ def scene_name(case: Path) -> str:
 
 
 def describe(case: Path) -> str:
-    """One line that names the case: directory, fluids, model, tier and cells."""
+    """One line that names the case: directory, fluids, model, tier and cells or particles."""
     words = [case.resolve().name]
     if (case / PARAMETERS).is_file():
         given = {name: entry(case, PARAMETERS, name) for name in ("fluids", "model", "tier", "resolution")}
         words += [f"fluids {given['fluids']}", f"{given['model']} model", f"tier {given['tier']}"]
         if float(given["resolution"]) != 1:
             words.append(f"resolution {given['resolution']}")
-    words.append(f"{cell_count(case):,} cells")
+    if solver_name(case) == "plungeSPH":
+        words.append(f"{particle_counts(case)[0]:,} particles of liquid")
+    else:
+        words.append(f"{cell_count(case):,} cells")
     return ", ".join(words)

@@ -443,7 +443,7 @@ def read_series(folder: Path, name: str) -> list[tuple[float, Path]]:
     """(time in s, file) of each surface of a .vtp.series."""
     path = folder / f"{name}.vtp.series"
     if not path.is_file():
-        raise CaseError(f"{path}: not found; plungePost writes it")
+        raise CaseError(f"{path}: not found; plungePost writes it for meshes, plungeSPH for particles")
     return [(f["time"], folder / f["name"]) for f in json.loads(path.read_text())["files"]]
 
 
