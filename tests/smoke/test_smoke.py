@@ -47,6 +47,24 @@ def test_particles(case: str, options: Tuple[object, ...], threads: int, tmp_pat
     assert (run / "VTK/particles.vtp.series").exists()
 
 
+@pytest.mark.parametrize("model", ["half", "full"])
+def test_diveOfParticles(model: str, tmp_path: Path) -> None:
+    """The dive's scene in plungeSPH, very coarse: the body falls, meets the liquid and is slowed; the report needs no mesh."""
+    foam(REPOSITORY / "cases/gannetPlunge/Allrun", "-solver", "plungeSPH", "-model", model, "-resolution", "0.5", "-np", 2,
+         "-set", "dive.travel=0.05", "-set", "output.frames=2", "-run", tmp_path / "run", case=tmp_path)
+    run = tmp_path / "run"
+    assert re.search(r"^End$", (run / "log.plungeSPH").read_text(), re.MULTILINE)
+    dive = np.genfromtxt(run / "results/trajectory.csv", delimiter=",", names=True)
+    assert dive["speed_m_s"][0] == pytest.approx(25) and dive["penetration_m"][0] == pytest.approx(-0.01, abs=1e-3)
+    assert dive["penetration_m"][-1] == pytest.approx(0.04, abs=2e-3)
+    assert 0 < dive["speed_m_s"][0] - dive["speed_m_s"][-1] < 1
+    # The weight of the whole body, also in the half model
+    assert dive["Fgz_N"] == pytest.approx(-2.857*1.35, rel=1e-3)
+    if model == "half":
+        assert dive["vy_m_s"] == pytest.approx(0, abs=1e-12)
+    assert not (run / "results/volumeLedger.csv").exists() and (run / "results/dive.png").exists()
+
+
 def checkDive(run: Path, nSteps: int) -> None:
     """The tables of a dive's first steps: a line each, the motion consistent, the body still at speed, the ledger small."""
     read = lambda name: np.genfromtxt(run / "postProcessing" / name / "0" / f"{name}.csv", delimiter=",", names=True)

@@ -23,6 +23,7 @@ from plungeResults import (  # noqa: E402
     patch_types,
     read_numbers,
     read_table,
+    running_mean,
     write_numbers,
     write_table,
 )
@@ -141,6 +142,20 @@ def test_an_event_that_does_not_happen_is_nan():
     assert np.isnan(crossing(np.array([0.0, 1.0]), np.array([-2.0, -1.0])))
     assert crossing(np.array([0.0, 1.0]), np.array([-1.0, 3.0])) == 0.25
     assert crossing(np.array([0.0, 1.0]), np.array([3.0, -1.0]), falling=True) == 0.75
+
+
+def test_a_running_mean_is_the_change_of_speed_over_its_window():
+    """Uneven steps, each row the acceleration of the step that ends there."""
+    time = np.concatenate(([0.0], np.cumsum(np.tile([1e-3, 3e-3], 50))))
+    speed = 25 - 40 * time - 300 * time**2
+    value = np.concatenate(([0.0], -np.diff(speed) / np.diff(time)))
+    mean = running_mean(time, value, 8e-3)
+    inside = (time > 4e-3) & (time < time[-1] - 4e-3)
+    expected = (np.interp(time - 4e-3, time, speed) - np.interp(time + 4e-3, time, speed)) / 8e-3
+    assert mean[inside] == pytest.approx(expected[inside])
+    ringing = running_mean(time, value + 1e3 * np.sin(2 * np.pi * time / 8e-3 + 1), 8e-3)
+    assert np.abs(ringing - mean)[inside].max() < 1e3 * 0.3
+    assert np.isfinite(mean).all()
 
 
 def test_force_along_the_path_is_positive_when_it_slows():

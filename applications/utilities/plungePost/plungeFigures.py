@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figures of one dive, and of several dives on the same axes. Curves are drawn as computed, never smoothed."""
+"""Figures of one dive, and of several dives on the same axes.
+
+Curves are drawn as computed; a running mean, where one is asked for, is drawn over the computed curve and named.
+"""
 
 from __future__ import annotations
 
@@ -14,7 +17,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from plungeResults import G0, Quantities, Table
+from plungeResults import G0, Quantities, Table, running_mean
 
 plt.rcParams.update({
     "font.size": 9, "axes.titlesize": 9.5, "axes.grid": True, "grid.alpha": 0.35, "grid.linewidth": 0.5,
@@ -131,13 +134,22 @@ def trajectory_figure(title: str, table: Table, ledger: Table | None, numbers: Q
     return figure
 
 
-def overlay_figure(dives: list[tuple[str, Table, Quantities]]) -> Figure:
-    """Several dives (label, trajectory, key numbers) on the same axes."""
+def overlay_figure(dives: list[tuple[str, Table, Quantities]], mean: float | None = None) -> Figure:
+    """Several dives (label, trajectory, key numbers) on the same axes.
+
+    mean: decelerations as their running mean over this time [s], before the computed curves in pale.
+    """
     figure, axes = plt.subplots(2, 2, figsize=(A4[0] * 1.25, A4[0] * 0.95), constrained_layout=True)
     (slow, lost), (depth, pitch) = axes
+    decelerations = []
     for i, (label, table, numbers) in enumerate(dives):
         ms, colour = 1e3 * table["time_s"], f"C{i}"
-        slow.plot(ms, table["deceleration_m_s2"], color=colour, label=label)
+        deceleration = table["deceleration_m_s2"]
+        if mean is not None:
+            slow.plot(ms, deceleration, color=colour, linewidth=0.5, alpha=0.3)
+            deceleration = running_mean(table["time_s"], deceleration, mean)
+        slow.plot(ms, deceleration, color=colour, label=label)
+        decelerations.append((table["time_s"], deceleration, numbers["contact time"][0]))
         lost.plot(ms, table["speed_m_s"][0] - table["speed_m_s"], color=colour)
         depth.plot(ms, table["penetration_m"], color=colour)
         pitch.plot(ms, table["pitch_deg"], color=colour)
@@ -145,9 +157,9 @@ def overlay_figure(dives: list[tuple[str, Table, Quantities]]) -> Figure:
             for time in events_of(numbers).values():
                 if np.isfinite(time):
                     ax.axvline(1e3 * time, color=colour, linewidth=0.7, linestyle=(0, (4, 3)), alpha=0.7, zorder=0)
-    limits_from_contact(slow, [(table["time_s"], table["deceleration_m_s2"], numbers["contact time"][0])
-                               for _, table, numbers in dives])
-    panel(slow, "Axial deceleration", "deceleration [m/s$^2$]", {})
+    limits_from_contact(slow, decelerations)
+    over = "" if mean is None else f", mean over {1e3 * mean:.2g} ms (pale: as computed)"
+    panel(slow, f"Axial deceleration{over}", "deceleration [m/s$^2$]", {})
     deceleration_axis_in_g(slow)
     panel(lost, "Speed lost", "initial speed - speed [m/s]", {})
     panel(depth, "Penetration depth", "depth [m]", {})

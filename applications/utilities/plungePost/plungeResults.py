@@ -120,6 +120,16 @@ def crossing(time: np.ndarray, value: np.ndarray, level: float = 0.0, falling: b
     return float(time[i - 1] + (time[i] - time[i - 1]) * side[i - 1] / (side[i - 1] - side[i]))
 
 
+def running_mean(time: np.ndarray, value: np.ndarray, window: float) -> np.ndarray:
+    """Mean of the value over a window [s] about each time; shorter where the table begins and ends.
+
+    A row holds the value of the step that ends at its time, as accelerations of trajectory.csv do.
+    """
+    total = np.concatenate(([0.0], np.cumsum(value[1:] * np.diff(time))))
+    low, high = (np.clip(time + shift, time[0], time[-1]) for shift in (-window / 2, window / 2))
+    return (np.interp(high, time, total) - np.interp(low, time, total)) / (high - low)
+
+
 def key_numbers(trajectory: Table, ledger: Table | None, extent: Table) -> Quantities:
     """What the summary reports.
 
