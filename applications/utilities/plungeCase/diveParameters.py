@@ -359,8 +359,8 @@ def particle_sections(dive: Dive, path: StraightPath) -> list[tuple[str, dict[st
         }),
         ("Run", {
             "cores": p["cores"], "fluidParticles": count,
-            # Steps of 0.2 h/(c0 + speed), h 1.5 spacings, as constant/particleProperties has it
-            "estimatedSteps": round(path.duration * (c0 + path.speed) / (0.3 * spacing), -1),
+            # Steps of 0.4 h/(c0 + speed), h 1.5 spacings
+            "estimatedSteps": round(path.duration * (c0 + path.speed) / (0.6 * spacing), -1),
             "diveDuration": path.duration, "frameInterval": path.duration / p["output.frames"],
         }),
     ]
