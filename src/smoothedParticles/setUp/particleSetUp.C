@@ -94,7 +94,7 @@ boundBox readBox(const dictionary& dict, const lattice& grid)
         {
             FatalIOErrorInFunction(dict)
                 << "Entries min and max are " << box.min() << " and " << box.max() << nl
-                << "Expected: a box of at least the spacing, " << grid.spacing
+                << "Expected: a box of at least half the spacing, " << grid.spacing
                 << " m, in each direction." << exit(FatalIOError);
         }
     }
@@ -614,17 +614,22 @@ public:
 
         if (!grid.isMultiple(box_))
         {
-            scalar asked = 1;
-            for (direction d = 0; d < grid.dim; ++d)
-            {
-                asked *= box_.max()[d] - box_.min()[d];
-            }
             IOWarningInFunction(dict)
                 << "Box of fluid: its size, " << box_.max() - box_.min()
                 << " m, is no multiple of the spacing, " << grid.spacing << " m." << nl
-                << "    The volume is " << nParticles()*std::pow(grid.spacing, grid.dim)
-                << " instead of " << asked << (grid.dim == 2 ? " m2." : " m3.") << endl;
+                << "    Its particles are stretched to cells of " << cell() << " m." << endl;
         }
+    }
+
+    //- Size of a particle's cell [m]; across the plane, 1
+    vector cell() const
+    {
+        vector size(1, 1, 1);
+        for (direction d = 0; d < grid_.dim; ++d)
+        {
+            size[d] = (box_.max()[d] - box_.min()[d])/n_[d];
+        }
+        return size;
     }
 
     scalar nParticles() const
@@ -632,20 +637,14 @@ public:
         return cmptProduct(n_);
     }
 
-    //- What the particles fill
-    boundBox filled() const
+    bool contains(const point& p) const
     {
-        point end(box_.max());
-        for (direction d = 0; d < grid_.dim; ++d)
-        {
-            end[d] = box_.min()[d] + n_[d]*grid_.spacing;
-        }
-        return boundBox(box_.min(), end);
+        return box_.contains(p);
     }
 
     pointField particles() const
     {
-        return crossings(fill(filled(), n_), [](const point&){ return true; });
+        return crossings(fill(box_, n_), [](const point&){ return true; });
     }
 
     //- What weighs on these particles at rest [Pa], if the liquid were not compressed: the weight per volume rho0 g times depth
@@ -674,8 +673,7 @@ public:
                 << "Expected: a height at or above it." << exit(FatalIOError);
         }
 
-        // A box rounded up to whole particles can end with one on its surface
-        return max(mag(weight)*(surface - (points & up)), scalar(0));
+        return mag(weight)*(surface - (points & up));
     }
 };
 
@@ -813,7 +811,6 @@ Foam::smoothedParticles::particleState<dim> Foam::smoothedParticles::readParticl
         state.pressure.push_back(pressure);
         state.wall.push_back(wall);
     };
-    const scalar cell = std::pow(grid.spacing, dim);
 
     const interactionModel& liquid = model.interaction;
     const titan::MurnaghanLaw law
@@ -836,7 +833,7 @@ Foam::smoothedParticles::particleState<dim> Foam::smoothedParticles::readParticl
             bool inFluid = false;
             for (label j = 0; j < i; ++j)
             {
-                inFluid = inFluid || fluids[j].filled().contains(points[k]);
+                inFluid = inFluid || fluids[j].contains(points[k]);
             }
             label wall = 0;
             while (wall < walls.size() && !walls[wall].occupies(points[k]))
@@ -857,7 +854,7 @@ Foam::smoothedParticles::particleState<dim> Foam::smoothedParticles::readParticl
                 append
                 (
                     points[k], fluids[i].velocity,
-                    cell, law.density(p[k]) - law.rho0(), p[k], particleState<dim>::fluid
+                    cmptProduct(fluids[i].cell()), law.density(p[k]) - law.rho0(), p[k], particleState<dim>::fluid
                 );
             }
         }
