@@ -30,6 +30,11 @@ def limit(quantity: str, value: float, unit: str, most: float, cpu_s: Union[str,
     return Row(quantity, value, unit, f"at most {most:g}", 0, "yes" if value <= most else "no", cpu_s)
 
 
+def least(quantity: str, value: float, unit: str, fewest: float, cpu_s: Union[str, float] = "") -> Row:
+    """A figure that should reach a limit."""
+    return Row(quantity, value, unit, f"at least {fewest:g}", 0, "yes" if value >= fewest else "no", cpu_s)
+
+
 def software_version(folder: Path) -> str:
     """git's name of what was run."""
     return subprocess.run(["git", "describe", "--always", "--dirty"], cwd=folder, check=True, capture_output=True,

@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Runs of plungeSPH for validations and tests: a case of the repository with other entries, and its tables."""
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+from typing import Dict, Iterator, Mapping, Sequence, Tuple
+
+import numpy as np
+
+REPOSITORY = Path(__file__).resolve().parent.parent
+PROPERTIES, CONTROL = "constant/particleProperties", "system/controlDict"
+LOG = "log.plungeSPH"
+
+
+def setEntry(run: Path, file: str, entry: str, value: object) -> None:
+    """Sets an entry of a dictionary; sub-dictionaries with slashes."""
+    subprocess.run(["foamDictionary", "-disableFunctionEntries", "-entry", entry, "-set", str(value), file], cwd=run, check=True,
+                   env={**os.environ, "PWD": str(run)}, stdout=subprocess.DEVNULL)
+
+
+def setUp(case: str, run: Path, entries: Mapping[str, object] = {}, **control: object) -> Path:
+    """A copy of a case of cases/, with other entries of particleProperties and controlDict."""
+    run.mkdir(parents=True)
+    for folder in ("constant", "system"):
+        shutil.copytree(REPOSITORY / "cases" / case / folder, run / folder)
+    for file, changes in ((PROPERTIES, entries), (CONTROL, control)):
+        for entry, value in changes.items():
+            setEntry(run, file, entry, value)
+    return run
+
+
+def isComplete(run: Path) -> bool:
+    """Has it come to its end?"""
+    log = run / LOG
+    return log.exists() and log.read_text().rstrip().endswith("End")
+
+
+def solve(run: Path, *options: object) -> None:
+    """Runs plungeSPH with its options to the end, from where it was stopped if it was; a run that is complete stays."""
+    if not isComplete(run):
+        with (run / LOG).open("a") as log:
+            # OpenFOAM takes a PWD that is not the working directory for a mistake
+            subprocess.run(["plungeSPH", *map(str, options)], cwd=run, check=True, env={**os.environ, "PWD": str(run)}, stdout=log,
+                           stderr=subprocess.STDOUT)
+
+
+def cpuSeconds(run: Path) -> float:
+    """Of all starts together [s]."""
+    logs = (run / LOG).read_text().split("Build  :")
+    return sum(float(times[-1]) for times in (re.findall(r"ExecutionTime = (\S+) s", log) for log in logs) if times)
+
+
+def table(run: Path, name: str) -> Dict[str, np.ndarray]:
+    """Columns of a table by their names; of a run in parts each time once, from the later part."""
+    parts = [np.genfromtxt(path, delimiter=",", names=True)
+             for path in sorted((run / "postProcessing" / name).glob(f"*/{name}.csv"), key=lambda path: float(path.parent.name))]
+    for i, after in enumerate(parts[1:]):
+        parts[i] = parts[i][parts[i]["time_s"] < after["time_s"][0]]
+    return {column: np.concatenate([part[column] for part in parts]) for column in parts[0].dtype.names}
+
+
+def particles(run: Path) -> Iterator[Tuple[float, Dict[str, np.ndarray]]]:
+    """Times and fields, x among them, of the series that ParaView shows."""
+    import vtk
+    from vtk.util.numpy_support import vtk_to_numpy
+
+    for entry in json.loads((run / "VTK/particles.vtp.series").read_text())["files"]:
+        reader = vtk.vtkXMLPolyDataReader()
+        reader.SetFileName(str(run / "VTK" / entry["name"]))
+        reader.Update()
+        output = reader.GetOutput()
+        fields = {name: vtk_to_numpy(output.GetPointData().GetArray(name)) for name in ("U", "p", "rho", "wall")}
+        yield entry["time"], {"x": vtk_to_numpy(output.GetPoints().GetData()), **fields}
+
+
+def runs(folder: Path) -> Iterator[Tuple[float, Path]]:
+    """Spacings and directories of a validation's complete runs, which spacings name, the coarsest first."""
+    for run in sorted((folder / "run").iterdir(), key=lambda run: -float(run.name)):
+        if isComplete(run):
+            yield float(run.name), run
+
+
+def resolutions(case: str, folder: Path, entries: Mapping[str, object] = {}, default: Sequence[float] = (), **control: object) -> None:
+    """What a validation's run.py does: the case at several spacings, those of the command line before the first option, or
+    else the default ones; other words are options of plungeSPH. Complete runs stay."""
+    words = sys.argv[1:]
+    n = next((i for i, word in enumerate(words) if word.startswith("-")), len(words))
+    for spacing in map(float, words[:n] or default):
+        run = folder / "run" / f"{spacing:g}"
+        if not run.exists():
+            setUp(case, run, {**entries, "geometry/spacing": spacing}, **control)
+        print(f"Running in {run}", flush=True)
+        solve(run, *words[n:])

@@ -1,0 +1,129 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The force of a bore on a column against Yeh and Petroff: result.csv and docs/figures/yehPetroff.png, of all finished runs.
+
+When the gate opened is not known. So time is shifted for the computed force, mean of 10 ms, to pass 5 N first when the
+measured one does; the velocity counts from the arrival of the bore. Reference values are those of two digitisations of
+the measurement. Not judged: the noise, which is what a mean of 20 ms takes away while the force is steady."""
+import sys
+from pathlib import Path
+from typing import Dict, List, NamedTuple
+
+import matplotlib
+import numpy as np
+
+FOLDER = Path(__file__).resolve().parent
+sys.path.insert(0, str(FOLDER.parent))
+from particleRuns import cpuSeconds, runs, table  # noqa: E402
+from resultTable import Row, judge, show, write  # noqa: E402
+
+FIGURE = FOLDER.parents[1] / "docs/figures/yehPetroff.png"
+STEP = 1e-3  # [s]
+RISE = 5     # [N]
+PLATEAU = (0.55, 0.75)
+IMPULSE = (0.33, 1.30)
+
+# What was measured, and the share of it by which the computed may differ
+PEAK, STEADY, TOTAL = (33.0, 0.2), (17.8, 0.1), (12.57, 0.1)
+
+
+class Series(NamedTuple):
+    time: np.ndarray
+    value: np.ndarray
+
+    def mean(self, period: float) -> np.ndarray:
+        """Running mean, centred."""
+        n = max(1, int(round(period/STEP)))
+        return np.convolve(self.value, np.ones(n)/n, "same")
+
+    def during(self, interval) -> np.ndarray:
+        return (self.time >= interval[0]) & (self.time <= interval[1])
+
+
+def evenly(time: np.ndarray, value: np.ndarray) -> Series:
+    even = np.arange(time[0], time[-1], STEP)
+    return Series(even, np.interp(even, time, value))
+
+
+def reference(name: str, column: str) -> Series:
+    """A digitised record: in order of time, and where it has several points at a time their mean."""
+    data = np.genfromtxt(FOLDER / "reference" / f"{name}.csv", delimiter=",", skip_header=2, names=True)
+    time, index = np.unique(data["time_s"], return_inverse=True)
+    return evenly(time, np.bincount(index, data[column])/np.bincount(index))
+
+
+def rise(force: Series) -> float:
+    """When the force, mean of 10 ms, first passes 5 N [s]."""
+    return float(force.time[np.argmax(force.mean(0.01) > RISE)])
+
+
+def computed(run: Path) -> Dict[str, Series]:
+    """Force in the time of the measurement, and the velocity from the bore's arrival, when half its highest speed is there."""
+    walls, probes = table(run, "walls"), table(run, "probes")
+    force = evenly(walls["time_s"], walls["column_Fx_N"])
+    velocity = evenly(probes["time_s"], probes["upstream_Ux_m_s"])
+    arrival = velocity.time[np.argmax(velocity.value > 0.5*velocity.value.max())]
+    return {"force": Series(force.time + rise(reference("force", "Fx_N")) - rise(force), force.value),
+            "velocity": Series(velocity.time - arrival, velocity.value)}
+
+
+def figures(force: Series) -> Dict[str, float]:
+    """Peak, plateau [N], impulse [N s] and noise [N]."""
+    plateau, impulse = force.during(PLATEAU), force.during(IMPULSE)
+    return {"peak": float(force.mean(0.05).max()),
+            "plateau": float(force.value[plateau].mean()),
+            "impulse": float(np.trapz(force.value[impulse], force.time[impulse])),
+            "noise": float((force.value - force.mean(0.02))[plateau].std())}
+
+
+def draw(results: Dict[float, Dict[str, Series]]) -> None:
+    matplotlib.use("Agg")
+    from matplotlib import pyplot
+
+    picture, axes = pyplot.subplots(2, 1, figsize=(8, 8))
+    for axis, name, column, label in ((axes[0], "force", "Fx_N", "force on the column [N]"),
+                                      (axes[1], "velocity", "Ux_m_s", "velocity at (0.814, 0.31, 0.026) m [m/s]")):
+        data = np.genfromtxt(FOLDER / "reference" / f"{name}.csv", delimiter=",", skip_header=2, names=True)
+        axis.plot(data["time_s"], data[column], ".", color="0.5", label="Yeh and Petroff")
+        for spacing, result in results.items():
+            series = result[name]
+            axis.plot(series.time, series.mean(0.01), label=f"spacing {1000*spacing:g} mm, mean of 10 ms")
+        axis.set(ylabel=label, xlim=(0, 1.5))
+        axis.legend()
+    axes[0].set(xlabel="time [s], aligned on the rise through 5 N", ylim=(-10, 60))
+    axes[1].set(xlabel="time from the arrival of the bore [s]", ylim=(0, 2.6))
+    picture.tight_layout()
+    picture.savefig(FIGURE, dpi=110)
+
+
+def main() -> None:
+    rows: List[Row] = []
+    results, found = {}, {}
+    measured = reference("velocity", "Ux_m_s")
+    for spacing, run in runs(FOLDER):
+        result = results[spacing] = computed(run)
+        of = found[spacing] = figures(result["force"])
+        cpu = cpuSeconds(run)
+        name = f"spacing {1000*spacing:.4g} mm: "
+        for what, key, unit, (value, share) in (("peak of the force, mean of 50 ms", "peak", "N", PEAK),
+                                                ("force, mean of 0.55 to 0.75 s", "plateau", "N", STEADY),
+                                                ("impulse, 0.33 to 1.30 s", "impulse", "N s", TOTAL)):
+            rows.append(judge(name + what, of[key], unit, value, share*value, cpu))
+        velocity = result["velocity"]
+        both = np.interp(measured.time, velocity.time, velocity.mean(0.01))
+        early = measured.during((0.05, 0.5))
+        rows.append(Row(name + "velocity upstream, 0.05 to 0.5 s after arrival: computed less measured, mean",
+                        float((both - measured.value)[early].mean()), "m/s", cpu_s=cpu))
+        rows.append(Row(name + "noise of the force, 0.55 to 0.75 s, rms of periods below 20 ms", of["noise"], "N", cpu_s=cpu))
+    spacings = list(found)
+    for coarse, fine in zip(spacings, spacings[1:]):
+        for key in ("peak", "plateau", "impulse"):
+            rows.append(Row(f"change of the {key} from spacing {1000*coarse:.4g} to {1000*fine:.4g} mm",
+                            100*(found[fine][key]/found[coarse][key] - 1), "%"))
+    write(FOLDER / "result.csv", rows)
+    show(rows)
+    draw(results)
+
+
+if __name__ == "__main__":
+    main()
