@@ -5,18 +5,15 @@
 They saw the front from some width on, and their gate took time to open: so the speed is judged between Z = 1.5 and 3.5, in
 which neither shows, and the arrival at Z = 3, in which both do. Reference and tolerance are the mean and the difference of
 the two widths of the experiment."""
-import json
-import re
 import sys
 from pathlib import Path
 from typing import List, NamedTuple
 
 import numpy as np
-import vtk
-from vtk.util.numpy_support import vtk_to_numpy
 
 FOLDER = Path(__file__).resolve().parent
 sys.path.insert(0, str(FOLDER.parent))
+from particleRuns import cpuSeconds, particles, runs  # noqa: E402
 from resultTable import Row, judge, show, write  # noqa: E402
 
 WIDTH, GRAVITY = 0.15, 9.81
@@ -42,14 +39,9 @@ def measured() -> List[Front]:
 def computed(run: Path, spacing: float) -> Front:
     """Until the front meets the wall, at 4 a."""
     T, Z = [], []
-    for entry in json.loads((run / "VTK/particles.vtp.series").read_text())["files"]:
-        reader = vtk.vtkXMLPolyDataReader()
-        reader.SetFileName(str(run / "VTK" / entry["name"]))
-        reader.Update()
-        output = reader.GetOutput()
-        fluid = vtk_to_numpy(output.GetPointData().GetArray("wall")) < 0
-        T.append(entry["time"]*np.sqrt(2*GRAVITY/WIDTH))
-        Z.append((vtk_to_numpy(output.GetPoints().GetData())[fluid, 0].max() + spacing/2)/WIDTH)
+    for time, fields in particles(run):
+        T.append(time*np.sqrt(2*GRAVITY/WIDTH))
+        Z.append((fields["x"][fields["wall"] < 0, 0].max() + spacing/2)/WIDTH)
     free = np.array(Z) < 3.95
     return Front(np.array(T)[free], np.array(Z)[free])
 
@@ -57,10 +49,9 @@ def computed(run: Path, spacing: float) -> Front:
 def main() -> None:
     rows: List[Row] = []
     experiments = measured()
-    for run in sorted((FOLDER / "run").iterdir(), reverse=True):
-        spacing = float(run.name)
+    for spacing, run in runs(FOLDER):
         front = computed(run, spacing)
-        cpu = float(re.search(r"ExecutionTime = (\S+) s", (run / "log.plungeSPH").read_text()).group(1))
+        cpu = cpuSeconds(run)
         name = f"spacing {1000*spacing:g} mm: "
         for what, value, references in (
                 ("speed of the front over sqrt(2 g a), Z from 1.5 to 3.5", front.speed(), [e.speed() for e in experiments]),
