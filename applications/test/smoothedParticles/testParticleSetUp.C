@@ -384,6 +384,29 @@ TEST(particleSetUp, circleInTheFluid)
 }
 
 
+TEST(particleSetUp, halfOfACircle)
+{
+    particleFlowModel<2> model(liquid<2>());
+    model.symmetry = {{0, 1, -1}};
+    const particleState<2> state = readParticles<2>
+    (
+        parsed
+        (
+            "spacing 0.1; fluid ({ type box; min (0 0 0); max (2 2 0); });"
+            "walls ({ name disc; type sphere; centre (1 1 0); radius 0.5; });"
+        ),
+        model,
+        "."
+    );
+    for (const auto& x : state.x)
+    {
+        EXPECT_LT(x[0], 1);
+    }
+    EXPECT_NEAR(volumeInCells(state, 0), M_PI/2*(25 - 4), 1e-9);
+    EXPECT_GT(count(state, -1), 150);
+}
+
+
 // The points in the middle of the cells miss the cells' own moments of inertia alone: 1/n^2 of that of a square of n cells
 TEST(particleSetUp, latticeOfABoxConverges)
 {

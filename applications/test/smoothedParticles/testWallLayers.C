@@ -254,7 +254,7 @@ TEST_F(wallLayers, ofASurfaceFollowIt)
     const double spacing = 0.08;
     const autoPtr<closedSurface> body(surface(3));
     solidMeasures represented;
-    const wallParticles wall = surfaceLayers(*body, 3, spacing, nLayers, represented);
+    const wallParticles wall = surfaceLayers(*body, 3, spacing, nLayers, {}, represented);
 
     // Half a spacing, one and a half, ... behind the face
     std::map<long, int> inLayer;
@@ -307,7 +307,7 @@ TEST_F(wallLayers, ofASurfaceConverge)
     const auto represented = [&](double spacing)
     {
         solidMeasures result;
-        surfaceLayers(*body, 3, spacing, nLayers, result);
+        surfaceLayers(*body, 3, spacing, nLayers, {}, result);
         return result;
     };
     const solidMeasures coarse(represented(0.12)), fine(represented(0.06));
@@ -320,7 +320,7 @@ TEST_F(wallLayers, ofASurfaceConverge)
 
     // A flat face is like a lattice's
     solidMeasures unused;
-    const wallParticles wall = surfaceLayers(*body, 3, 0.06, nLayers, unused);
+    const wallParticles wall = surfaceLayers(*body, 3, 0.06, nLayers, {}, unused);
     const vector normal(vector(1, 1, 1)/std::sqrt(3.0));
     const double flat = flatLatticeSum(0.03, 0.06, 3);
     for (int k = 0; k < 20; ++k)
@@ -349,7 +349,7 @@ TEST_F(wallLayers, ofACut)
     const auto represented = [&](double spacing)
     {
         solidMeasures result;
-        surfaceLayers(*square, 2, spacing, nLayers, result);
+        surfaceLayers(*square, 2, spacing, nLayers, {}, result);
         return result;
     };
     EXPECT_NEAR(represented(0.05).volume, 2, 1e-3);
@@ -394,7 +394,7 @@ TEST_F(wallLayers, thinParts)
     const autoPtr<closedSurface> wedge(surface(3));
     EXPECT_NEAR(wedge->measures().volume, 0.25, 1e-6);
     solidMeasures represented;
-    const wallParticles wall = surfaceLayers(*wedge, 3, spacing, nLayers, represented);
+    const wallParticles wall = surfaceLayers(*wedge, 3, spacing, nLayers, {}, represented);
     double first = 1;
     forAll(wall.x, i)
     {
@@ -408,4 +408,47 @@ TEST_F(wallLayers, thinParts)
     EXPECT_LT(represented.volume, 0.25);
     EXPECT_GT(represented.volume, 0.245);
     EXPECT_GT(distances(wall.x).first, 0.5*spacing);
+}
+
+
+// A quarter of a ball and its images are evenly spread, too
+TEST_F(wallLayers, ofAQuarter)
+{
+    pointField points;
+    List<triFace> triangles;
+    ball(5, points, triangles);
+    const vector centre(0.3, 0.2, -0.1);
+    write(points + centre, triangles);
+    const double spacing = 0.1;
+    const autoPtr<closedSurface> body(surface(3));
+    solidMeasures represented;
+    const wallParticles quarter = surfaceLayers(*body, 3, spacing, nLayers, {{0, 0.3, 1}, {1, 0.2, -1}}, represented);
+    EXPECT_NEAR(represented.volume/body->measures().volume, 1, 1e-3);
+    EXPECT_LT(mag(represented.centroid() - centre), 1e-3);
+    EXPECT_LT(mag(represented.inertia() - body->measures().inertia()), 0.01*mag(body->measures().inertia()));
+
+    wallParticles whole;
+    forAll(quarter.x, i)
+    {
+        const vector r(quarter.x[i] - centre);
+        EXPECT_GT(r.x(), 0.3*spacing);
+        EXPECT_LT(r.y(), -0.3*spacing);
+        for (const vector& image : {r, vector(-r.x(), r.y(), r.z()), vector(r.x(), -r.y(), r.z()), vector(-r.x(), -r.y(), r.z())})
+        {
+            whole.x.append(image);
+            whole.volume.append(quarter.volume[i]);
+        }
+    }
+    EXPECT_GT(distances(whole.x).first, 0.6*spacing);
+    const double exact = shellSum(0.5*spacing, spacing);
+    double square = 0;
+    double square = 0;
+    constexpr int n = 50;
+    for (int k = 0; k < n; ++k)
+    {
+        // Along one of the planes
+        const point at((1 + 0.5*spacing)*vector(0, std::cos(k), std::sin(k)));
+        square += sqr(kernelSum(whole, at, spacing, 3)/exact - 1)/n;
+    }
+    EXPECT_LT(std::sqrt(square), 0.03);
 }

@@ -33,6 +33,7 @@ struct lattice
     int dim;
     scalar spacing;
     scalar support;     //!< of the kernel [m]
+    const std::vector<symmetryPlane>& symmetry;
 
     //- Cells of about the spacing that fill a box; one across the plane
     vector nCells(const boundBox& box) const
@@ -244,7 +245,7 @@ public:
             {
                 ++nRemoved;
             }
-            else
+            else if (isOnNearSide(all.x[k], grid_.symmetry))
             {
                 kept.append(all.x[k]);
                 volume.append(all.volume[k]);
@@ -534,7 +535,7 @@ class surfaceWall
 
     wallParticles fillUp()
     {
-        return surfaceLayers(surface_, grid_.dim, grid_.spacing, grid_.nLayers(), represented_);
+        return surfaceLayers(surface_, grid_.dim, grid_.spacing, grid_.nLayers(), grid_.symmetry, represented_);
     }
 
     boundBox bounds() const
@@ -757,7 +758,7 @@ Foam::smoothedParticles::particleState<dim> Foam::smoothedParticles::readParticl
 {
     titan::checkKeywords(geometry, {"spacing", "fluid", "walls"});
     readWallNames(geometry);
-    const lattice grid{dim, readSpacing(geometry), supportRatio*model.interaction.h};
+    const lattice grid{dim, readSpacing(geometry), supportRatio*model.interaction.h, model.symmetry};
 
     // What is asked for
     const PtrList<dictionary> fluidDicts(readDictionaries(geometry, "fluid"));
@@ -849,7 +850,7 @@ Foam::smoothedParticles::particleState<dim> Foam::smoothedParticles::readParticl
             {
                 ++nInFluid;
             }
-            else
+            else if (isOnNearSide(points[k], grid.symmetry))
             {
                 append
                 (

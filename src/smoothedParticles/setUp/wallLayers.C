@@ -6,6 +6,8 @@
 
 #include "DynamicList.H"
 
+#include <algorithm>
+
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace
@@ -29,6 +31,7 @@ class sampledSolid
     const scalar spacing_;
     const scalar depth_;        //!< of the layers [m]
     const label nFine_;         //!< points along a spacing
+    const std::vector<symmetryPlane>& symmetry_;
 
 
     //- The middles of n parts of a cube in each direction
@@ -89,7 +92,7 @@ class sampledSolid
         {
             // What the surface cuts off a cell, as if it were parallel to a face
             const scalar share = min(0.5 + foot.depth/size, scalar(1));
-            if (share > 0)
+            if (share > 0 && isOnNearSide(p, symmetry_))
             {
                 points.append({p, foot.depth, share*std::pow(size, dim_)});
             }
@@ -114,13 +117,21 @@ public:
     solidMeasures deep;
 
 
-    sampledSolid(const closedSurface& surface, const int dim, const scalar spacing, const label nLayers)
+    sampledSolid
+    (
+        const closedSurface& surface,
+        const int dim,
+        const scalar spacing,
+        const label nLayers,
+        const std::vector<symmetryPlane>& symmetry
+    )
     :
         surface_(surface),
         dim_(dim),
         spacing_(spacing),
         depth_(nLayers*spacing),
-        nFine_(dim == 2 ? 8 : 3)
+        nFine_(dim == 2 ? 8 : 3),
+        symmetry_(symmetry)
     {
         scalar size = spacing;
         while (size < cmptMax(surface.bounds().span()) + spacing)
@@ -128,6 +139,21 @@ public:
             size *= 2;
         }
         add(surface.bounds().midpoint(), size);
+
+        // So that the first particles are beside the planes, half a spacing from them, from their corner on
+        const auto distance = [&](const sample& s)
+        {
+            scalar sum = 0;
+            for (const symmetryPlane& plane : symmetry)
+            {
+                sum += min(scalar(plane.distance(s.x)), spacing);
+            }
+            return sum;
+        };
+        std::stable_sort
+        (
+            points.begin(), points.end(), [&](const sample& a, const sample& b){ return distance(a) < distance(b); }
+        );
     }
 
     scalar pointSpacing() const
@@ -140,6 +166,22 @@ public:
 
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+bool Foam::smoothedParticles::isOnNearSide
+(
+    const point& p,
+    const std::vector<symmetryPlane>& symmetry,
+    const scalar distance
+)
+{
+    bool near = true;
+    for (const symmetryPlane& plane : symmetry)
+    {
+        near = near && plane.distance(p) >= distance;
+    }
+    return near;
+}
+
 
 Foam::smoothedParticles::solidMeasures Foam::smoothedParticles::ballMeasures
 (
@@ -231,10 +273,11 @@ Foam::smoothedParticles::wallParticles Foam::smoothedParticles::surfaceLayers
     const int dim,
     const scalar spacing,
     const label nLayers,
+    const std::vector<symmetryPlane>& symmetry,
     solidMeasures& represented
 )
 {
-    const sampledSolid solid(surface, dim, spacing, nLayers);
+    const sampledSolid solid(surface, dim, spacing, nLayers, symmetry);
 
     // Parts that are thinner than a spacing have their particles in the middle, up to this much nearer to the surface
     const scalar thin = 0.25*spacing;
@@ -255,11 +298,14 @@ Foam::smoothedParticles::wallParticles Foam::smoothedParticles::surfaceLayers
     DynamicList<point> x;
     DynamicList<label> layers;
     pointColumns columns(surface.bounds(), reach);
-    const auto append = [&](const point& p, const label layer)
+    const auto append = [&](const point& p, const label layer, const scalar distance)
     {
-        columns.append(p);
-        x.append(p);
-        layers.append(layer);
+        if (columns.findNearest(p, distance) < 0 && isOnNearSide(p, symmetry, 0.5*distance))
+        {
+            columns.append(p);
+            x.append(p);
+            layers.append(layer);
+        }
     };
     for (const auto& p : solid.points)
     {
@@ -268,11 +314,7 @@ Foam::smoothedParticles::wallParticles Foam::smoothedParticles::surfaceLayers
         if (beyond >= 0 && beyond < 2*solid.pointSpacing())
         {
             const closedSurface::foot foot(surface.findNearest(p.x, (1 + 1e-9)*p.depth));
-            const point onSet(moved(foot, p.x, depthOf(layer)));
-            if (columns.findNearest(onSet, apart) < 0)
-            {
-                append(onSet, layer);
-            }
+            append(moved(foot, p.x, depthOf(layer)), layer, apart);
         }
     }
 
@@ -281,9 +323,9 @@ Foam::smoothedParticles::wallParticles Foam::smoothedParticles::surfaceLayers
     {
         const label layer = layerOf(p.depth);
         const scalar beyond = p.depth - depthOf(layer);
-        if (beyond < 0 && beyond > -thin && columns.findNearest(p.x, 1.15*spacing) < 0)
+        if (beyond < 0 && beyond > -thin)
         {
-            append(p.x, layer);
+            append(p.x, layer, 1.15*spacing);
         }
     }
 
@@ -349,11 +391,20 @@ Foam::smoothedParticles::wallParticles Foam::smoothedParticles::surfaceLayers
     }
     partition();
 
-    represented = solid.deep;
+    represented = solidMeasures();
     forAll(x, i)
     {
         represented.add(x[i], volume[i]);
     }
+    for (const symmetryPlane& plane : symmetry)
+    {
+        const boundBox& box = surface.bounds();
+        if (plane.distance(box.min()) < 0 || plane.distance(box.max()) < 0)
+        {
+            represented += represented.mirrored(plane.axis, plane.at);
+        }
+    }
+    represented += solid.deep;
     return {pointField(std::move(x)), std::move(volume)};
 }
 
