@@ -290,8 +290,10 @@ def test_particles_fill_whole_spacings_about_the_path(case: Path) -> None:
         assert least < particles(case, "-tier", tier)["fluidParticles"] < most
 
 
-def test_speed_of_sound_is_ten_times_the_dives_unless_given(case: Path) -> None:
-    assert particles(case, "-run", "run/a", "-set", "dive.speed=20")["particleSoundSpeed"] == 200
+def test_speed_of_sound_is_ten_times_that_of_free_fall_unless_given(case: Path) -> None:
+    g = particles(case, "-run", "run/a", "-set", "dive.speed=20", "-fluids", "water")
+    height = 1.125 * np.sin(np.radians(75))
+    assert g["particleSoundSpeed"] == pytest.approx(10 * np.sqrt(20**2 + 2 * 9.81 * height))
     assert particles(case, "-run", "run/b", "-set", "particles.c0=11.6")["particleSoundSpeed"] == 11.6
 
 

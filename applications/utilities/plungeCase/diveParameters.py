@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import subprocess
 from dataclasses import dataclass, replace
-from math import ceil, cos, radians, sin
+from math import ceil, cos, radians, sin, sqrt
 from pathlib import Path
 from typing import Any, Callable
 
@@ -108,7 +108,7 @@ _TIER: dict[str, Check] = {
 # Half width of the particles' liquid about the path and its depth below it, the part of these that absorbs, and the height
 # of the tank above the surface, in body lengths.
 _REACH, _ABSORBING, _FREEBOARD = 0.35, 0.1, 0.1
-# c0 over the speed of the dive, unless given: eq. 5 of IAC-20-E2.1.9
+# c0 over the highest speed that the body could fall at, unless given: eq. 5 of IAC-20-E2.1.9
 _SOUND_OVER_SPEED = 10
 
 
@@ -345,7 +345,8 @@ def particle_sections(dive: Dive, path: StraightPath) -> list[tuple[str, dict[st
     low = [-spacings(reach), -spacings(reach) if full else 0, -spacings(reach + max(0.0, -path.end[2]))]
     high = [spacings(reach + path.end[0]), spacings(reach), 0]
     count = int(np.prod(np.subtract(high, low)))
-    c0 = float(p.get("particles.c0", _SOUND_OVER_SPEED * path.speed))
+    fastest = sqrt(path.speed**2 + 2 * dive.fluids["gravity"] * (path.nose[2] - path.end[2]))
+    c0 = float(p.get("particles.c0", _SOUND_OVER_SPEED * fastest))
 
     return [
         ("Particles", {
