@@ -11,6 +11,7 @@ from types import ModuleType
 from typing import Iterable, List
 
 from conftest import REPOSITORY
+from particleRuns import setEntry  # noqa: F401: for tests
 
 STOCK_TUTORIALS = REPOSITORY / "validation/stockTutorials"
 
@@ -67,11 +68,6 @@ def copy(case: Path, name: str) -> Path:
     target = case.parent / name
     shutil.copytree(case, target)
     return target
-
-
-def setEntry(case: Path, file: str, entry: str, value: object) -> None:
-    """Sets an entry of a dictionary; sub-dictionaries with slashes."""
-    foam("foamDictionary", "-disableFunctionEntries", "-entry", entry, "-set", value, file, case=case)
 
 
 def solve(case: Path, solver: str, ranks: int = 1) -> str:

@@ -7,7 +7,7 @@ import shutil
 import subprocess
 import sys
 from pathlib import Path
-from typing import Dict, Iterator, Mapping, Sequence, Tuple
+from typing import Dict, Iterator, List, Mapping, Sequence, Tuple
 
 import numpy as np
 
@@ -18,8 +18,10 @@ LOG = "log.plungeSPH"
 
 def setEntry(run: Path, file: str, entry: str, value: object) -> None:
     """Sets an entry of a dictionary; sub-dictionaries with slashes."""
-    subprocess.run(["foamDictionary", "-disableFunctionEntries", "-entry", entry, "-set", str(value), file], cwd=run, check=True,
-                   env={**os.environ, "PWD": str(run)}, stdout=subprocess.DEVNULL)
+    done = subprocess.run(["foamDictionary", "-disableFunctionEntries", "-entry", entry, "-set", str(value), file], cwd=run,
+                          env={**os.environ, "PWD": str(run)}, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    if done.returncode:
+        raise RuntimeError(f"{run / file}, entry {entry}: cannot be set to {value}\n{done.stdout[-2000:]}")
 
 
 def setUp(case: str, run: Path, entries: Mapping[str, object] = {}, **control: object) -> Path:
@@ -63,18 +65,25 @@ def table(run: Path, name: str) -> Dict[str, np.ndarray]:
     return {column: np.concatenate([part[column] for part in parts]) for column in parts[0].dtype.names}
 
 
-def particles(run: Path) -> Iterator[Tuple[float, Dict[str, np.ndarray]]]:
-    """Times and fields, x among them, of the series that ParaView shows."""
+def series(run: Path) -> List[Tuple[float, Path]]:
+    """Times and files that ParaView shows."""
+    return [(entry["time"], run / "VTK" / entry["name"])
+            for entry in json.loads((run / "VTK/particles.vtp.series").read_text())["files"]]
+
+
+def particles(file: Path) -> Dict[str, np.ndarray]:
+    """Fields of one of them: x, U, p, rho, wall, and the time in the file."""
     import vtk
     from vtk.util.numpy_support import vtk_to_numpy
 
-    for entry in json.loads((run / "VTK/particles.vtp.series").read_text())["files"]:
-        reader = vtk.vtkXMLPolyDataReader()
-        reader.SetFileName(str(run / "VTK" / entry["name"]))
-        reader.Update()
-        output = reader.GetOutput()
-        fields = {name: vtk_to_numpy(output.GetPointData().GetArray(name)) for name in ("U", "p", "rho", "wall")}
-        yield entry["time"], {"x": vtk_to_numpy(output.GetPoints().GetData()), **fields}
+    reader = vtk.vtkXMLPolyDataReader()
+    reader.SetFileName(str(file))
+    reader.Update()
+    output = reader.GetOutput()
+    if not output.GetNumberOfCells() == output.GetNumberOfPoints() > 0:
+        raise RuntimeError(f"{file}: expected a vertex for each particle")
+    fields = {name: vtk_to_numpy(output.GetPointData().GetArray(name)) for name in ("U", "p", "rho", "wall")}
+    return {"x": vtk_to_numpy(output.GetPoints().GetData()), "time": vtk_to_numpy(output.GetFieldData().GetArray("TimeValue")), **fields}
 
 
 def runs(folder: Path) -> Iterator[Tuple[float, Path]]:

@@ -16,22 +16,11 @@ import vtk
 from vtk.util.numpy_support import vtk_to_numpy
 
 from conftest import REPOSITORY
+from particleRuns import CONTROL, PROPERTIES, series, setUp as case
+from particleRuns import particles as readParticles
 from tutorials import checkRefused, copy, foam, setEntry
 
-PROPERTIES = "constant/particleProperties"
-CONTROL = "system/controlDict"
 WATER, GRAVITY = 1000, 9.81
-
-
-def case(name: str, directory: Path, entries: Dict[str, object] = {}, **control: object) -> Path:
-    """A copy of a case of the repository, with other entries."""
-    directory.mkdir(parents=True)
-    for folder in ("constant", "system"):
-        shutil.copytree(REPOSITORY / "cases" / name / folder, directory / folder)
-    for file, changes in ((PROPERTIES, entries), (CONTROL, control)):
-        for entry, value in changes.items():
-            setEntry(directory, file, entry, value)
-    return directory
 
 
 def table(run: Path, name: str, start: str = "0") -> np.ndarray:
@@ -59,10 +48,10 @@ def polyData(run: Path, name: str, index: int) -> vtk.vtkPolyData:
 
 def particles(run: Path, index: int = -1) -> Dict[str, np.ndarray]:
     """What ParaView shows of a time of the series."""
-    output = polyData(run, "particles", index)
-    assert output.GetNumberOfCells() == output.GetNumberOfPoints() > 0
-    fields = {name: vtk_to_numpy(output.GetPointData().GetArray(name)) for name in ("U", "p", "rho", "wall")}
-    return {"x": vtk_to_numpy(output.GetPoints().GetData()), **fields}
+    time, file = series(run)[index]
+    fields = readParticles(file)
+    assert fields["time"] == pytest.approx(time)
+    return fields
 
 
 def pressureAtRest(depth: np.ndarray, c0: float) -> np.ndarray:
@@ -123,7 +112,7 @@ def test_restart(dam: Path) -> None:
         after = table(dam, name)[-len(table(twin, name, "0.1")) + 1:]
         for column in after.dtype.names:
             np.testing.assert_allclose(table(twin, name, "0.1")[column][1:], after[column], rtol=1e-8, atol=1e-9)
-    assert [entry["time"] for entry in json.loads((twin / "VTK/particles.vtp.series").read_text())["files"]] == [0, 0.1, 0.2]
+    assert [time for time, _ in series(twin)] == [0, 0.1, 0.2]
 
 
 def test_front(dam: Path) -> None:

@@ -16,7 +16,8 @@ CASES = {
 }
 
 # Those of plungeSPH, with the options of each run.
-PARTICLES = [("stillTank", ()), ("damBreakParticles", ()), ("damBreakParticles", ("-dimensions", 3))]
+PARTICLES = [("stillTank", ()), ("damBreakParticles", ()), ("damBreakParticles", ("-dimensions", 3)),
+             ("yehPetroff", ("-spacing", 0.02)), ("kleefsman", ("-spacing", 0.055))]
 
 
 def test_all_cases_run() -> None:

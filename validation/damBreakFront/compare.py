@@ -13,7 +13,7 @@ import numpy as np
 
 FOLDER = Path(__file__).resolve().parent
 sys.path.insert(0, str(FOLDER.parent))
-from particleRuns import cpuSeconds, particles, runs  # noqa: E402
+from particleRuns import cpuSeconds, particles, runs, series  # noqa: E402
 from resultTable import Row, judge, show, write  # noqa: E402
 
 WIDTH, GRAVITY = 0.15, 9.81
@@ -39,7 +39,8 @@ def measured() -> List[Front]:
 def computed(run: Path, spacing: float) -> Front:
     """Until the front meets the wall, at 4 a."""
     T, Z = [], []
-    for time, fields in particles(run):
+    for time, file in series(run):
+        fields = particles(file)
         T.append(time*np.sqrt(2*GRAVITY/WIDTH))
         Z.append((fields["x"][fields["wall"] < 0, 0].max() + spacing/2)/WIDTH)
     free = np.array(Z) < 3.95

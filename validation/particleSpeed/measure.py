@@ -18,7 +18,7 @@ import numpy as np
 
 FOLDER = Path(__file__).resolve().parent
 sys.path.insert(0, str(FOLDER.parent))
-from particleRuns import LOG, cpuSeconds, particles, setUp, solve  # noqa: E402
+from particleRuns import LOG, cpuSeconds, particles, series, setUp, solve  # noqa: E402
 from resultTable import Row, least, limit, show, write  # noqa: E402
 
 RUNS = FOLDER / "run"
@@ -88,12 +88,6 @@ def memory(run: Path) -> float:
     return float(re.search(r", (\S+) MiB", log).group(1))*2**20/(fluid + walls)
 
 
-def state(run: Path) -> Dict[str, np.ndarray]:
-    """Particles at the start."""
-    _, fields = next(particles(run))
-    return fields
-
-
 def pysph(start: Dict[str, np.ndarray], pairsOfSum: float) -> Rates:
     """PySPH on the same particles."""
     with tempfile.TemporaryDirectory() as folder:
@@ -133,7 +127,7 @@ def main() -> None:
     for name in ("float, no density diffusion", "double, no density diffusion"):
         rates[name, 1] = timed(name, 1)
     first = RUNS / "float_1_0"
-    start = state(first)
+    start = particles(series(first)[0][1])
     machine = limits(start)
     peer = pysph(start, machine["pairs"])
     rows: List[Row] = []
