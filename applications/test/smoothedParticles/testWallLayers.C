@@ -442,7 +442,6 @@ TEST_F(wallLayers, ofAQuarter)
     EXPECT_GT(distances(whole.x).first, 0.6*spacing);
     const double exact = shellSum(0.5*spacing, spacing);
     double square = 0;
-    double square = 0;
     constexpr int n = 50;
     for (int k = 0; k < n; ++k)
     {
