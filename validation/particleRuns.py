@@ -7,7 +7,7 @@ import shutil
 import subprocess
 import sys
 from pathlib import Path
-from typing import Dict, Iterator, List, Mapping, Sequence, Tuple
+from typing import Dict, List, Mapping, Sequence, Tuple
 
 import numpy as np
 
@@ -86,11 +86,12 @@ def particles(file: Path) -> Dict[str, np.ndarray]:
     return {"x": vtk_to_numpy(output.GetPoints().GetData()), "time": vtk_to_numpy(output.GetFieldData().GetArray("TimeValue")), **fields}
 
 
-def runs(folder: Path) -> Iterator[Tuple[float, Path]]:
+def runs(folder: Path) -> List[Tuple[float, Path]]:
     """Spacings and directories of a validation's complete runs, which spacings name, the coarsest first."""
-    for run in sorted((folder / "run").iterdir(), key=lambda run: -float(run.name)):
-        if isComplete(run):
-            yield float(run.name), run
+    complete = [(float(run.name), run) for run in (folder / "run").glob("*") if isComplete(run)]
+    if not complete:
+        raise SystemExit(f"{folder / 'run'}: no complete run: expected one at least, of Allrun")
+    return sorted(complete, reverse=True)
 
 
 def resolutions(case: str, folder: Path, entries: Mapping[str, object] = {}, default: Sequence[float] = (), **control: object) -> None:
