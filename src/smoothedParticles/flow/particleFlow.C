@@ -368,6 +368,8 @@ class flowIn
     //- For the sums: positions and velocities as they are now; densities, volumes and pressures of the fluid
     void packFields()
     {
+        const interactionModel& m = model_.interaction;
+        const double damping = m.acousticDamper*m.c0*m.h;
         const std::int64_t n = x_.size();
 
         #pragma omp parallel for num_threads(nThreads_) schedule(static)
@@ -381,7 +383,7 @@ class flowIn
             }
             packed_(i, fields::density) = density_[k];
             packed_(i, fields::volume) = mass_[k]/(model_.rho0 + (isFluid(k) ? density_[k] : 0));
-            packed_(i, fields::pressure) = state_.pressure(density_[k]);
+            packed_(i, fields::pressure) = state_.pressure(density_[k]) + damping*packed_.densityRate[i];
         }
         packImages();
     }
@@ -973,6 +975,7 @@ std::unique_ptr<Foam::smoothedParticles::particleFlow<dim>> Foam::smoothedPartic
     checkNotNegative("alpha", m.alpha);
     checkNotNegative("beta", m.beta);
     checkNotNegative("delta", m.delta);
+    checkNotNegative("acousticDamper", m.acousticDamper);
     checkPositive("number of threads", nThreads);
     if (!(m.gamma > 1) || !std::isfinite(m.gamma))
     {

@@ -256,7 +256,7 @@ Foam::smoothedParticles::particleProperties::particleProperties(const Time& runT
         ({
             "FoamFile", "dimensions", "kernel", "smoothingLength", "viscosity", "alpha", "densityDiffusion", "delta",
             "walls", "precision", "timeStepping", "Courant", "liquid", "speedOfSound", "geometry", "bodies", "symmetry",
-            "absorption", "momentum", "beta", "outputs"
+            "absorption", "momentum", "beta", "acousticDamper", "outputs"
         })
     );
     if (dimensions_ != 2 && dimensions_ != 3)
@@ -298,6 +298,7 @@ Foam::smoothedParticles::particleProperties::particleProperties(const Time& runT
         m.diffusion == diffusionType::Molteni || m.diffusion == diffusionType::Fourtakas,
         "densityDiffusion Molteni or Fourtakas"
     );
+    m.acousticDamper = dict_.found("acousticDamper") ? readPositive(dict_, "acousticDamper") : 0;
     m.noSlip = wallNames.get("walls", dict_);
     readLiquid(dict_.subDict("liquid"));
     readSoundSpeed(dict_.subDict("speedOfSound"));
