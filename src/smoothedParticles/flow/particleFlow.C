@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "particleFlow.H"
+#include "particleShifting.H"
 #include "smoothingKernels.H"
 
 #include <algorithm>
@@ -115,6 +116,9 @@ class flowIn
         std::vector<vector> x_, v_, a_;
         std::vector<double> density_, mass_;
 
+        //- Energy, of eq. 2 and dissipated [J/kg], and the rates of both [W/kg]; empty if it is off
+        std::vector<double> energy_, heat_, energyRate_, heating_;
+
         //- At the start of the step
         std::vector<vector> xOld_, vOld_;
         std::vector<double> densityOld_;
@@ -229,6 +233,13 @@ class flowIn
         reorder(a_, order, xOld_);
         reorder(density_, order, densityOld_);
         reorder(mass_, order, densityOld_);
+        if (model_.energy)
+        {
+            for (std::vector<double>* values : {&energy_, &heat_, &energyRate_, &heating_})
+            {
+                reorder(*values, order, densityOld_);
+            }
+        }
         if (images_.empty())
         {
             xAll_ = x_;
@@ -306,6 +317,18 @@ class flowIn
             }
         }
         findBodyParticles();
+        if (model_.interaction.diffusion == diffusionType::Antuono)
+        {
+            packed_.addDensityGradient();
+        }
+        if (model_.energy)
+        {
+            packed_.addEnergy();
+        }
+        if (model_.shifting > 0)
+        {
+            packed_.addShifting();
+        }
         xSearched_ = x_;
         ++nSearches_;
         countPairs();
@@ -411,8 +434,43 @@ class flowIn
         }
     }
 
+    //- To the images, of vectors (with the sign of the mirror) or of scalars by place
+    void packImages(std::array<packVector<Real>, dim>& vectors)
+    {
+        for (std::size_t g = 0; g < images_.size(); ++g)
+        {
+            for (int d = 0; d < dim; ++d)
+            {
+                vectors[d][imagePlace_[g]] = images_[g].sign[d]*vectors[d][place_[images_[g].source]];
+            }
+        }
+    }
+
+    void packImages(packVector<Real>& scalars)
+    {
+        for (std::size_t g = 0; g < images_.size(); ++g)
+        {
+            scalars[imagePlace_[g]] = scalars[place_[images_[g].source]];
+        }
+    }
+
     //- Pressure and velocity of walls from the packed fluid; their density is that of the pressure
     void extrapolateToWalls()
+    {
+        packWalls();
+        const std::int64_t n = x_.size();
+        #pragma omp parallel for num_threads(nThreads_) schedule(static)
+        for (std::int64_t k = 0; k < n; ++k)
+        {
+            if (!isFluid(k))
+            {
+                density_[k] = state_.density(packed_.wallPressure[place_[k]]);
+            }
+        }
+    }
+
+    //- The same, of the packed walls alone
+    void packWalls()
     {
         for (const bodyParticle& p : bodyParticles_)
         {
@@ -440,8 +498,7 @@ class flowIn
             }
             const std::size_t i = place_[k];
             const double p = packed_.wallPressure[i];
-            density_[k] = state_.density(p);
-            packed_(i, fields::density) = density_[k];
+            packed_(i, fields::density) = state_.density(p);
             packed_(i, fields::pressure) = p;
             for (int d = 0; d < dim; ++d)
             {
@@ -455,6 +512,11 @@ class flowIn
     void sumDensityRate()
     {
         packFields();
+        if (model_.interaction.diffusion == diffusionType::Antuono)
+        {
+            interaction_.sumDensityGradient(neighbours_, packed_, nThreads_);
+            packImages(packed_.densityGradient);
+        }
         interaction_.sumDensityRate(neighbours_, packed_, nThreads_);
     }
 
@@ -541,6 +603,91 @@ class flowIn
         }
     }
 
+    //- The particles that have arrived, towards an even distribution
+    void shift(double deltaT)
+    {
+        if (!(model_.shifting > 0))
+        {
+            return;
+        }
+        packFields();
+        interaction_.sumConcentration(neighbours_, packed_, nThreads_);
+        packImages(packed_.positionDivergence);
+        interaction_.sumSurfaceNormal(neighbours_, packed_, nThreads_);
+
+        const std::int64_t n = x_.size();
+        #pragma omp parallel for num_threads(nThreads_) schedule(static)
+        for (std::int64_t k = 0; k < n; ++k)
+        {
+            if (!isFluid(k))
+            {
+                continue;
+            }
+            const std::size_t i = place_[k];
+            shiftingParticle<dim> one;
+            one.x = x_[k];
+            double speed2 = 0;
+            for (int d = 0; d < dim; ++d)
+            {
+                speed2 += v_[k][d]*v_[k][d];
+                one.concentration[d] = packed_.concentration[d][i];
+                one.surfaceNormal[d] = packed_.surfaceNormal[d][i];
+            }
+            one.speed = std::sqrt(speed2);
+            one.positionDivergence = packed_.positionDivergence[i];
+            one.nearSurface = packed_.nearSurface[i] > 0;
+            one.wallDistance = std::sqrt(double(packed_.wallDistance2[i]));
+            const vector s(one.shift(model_.shifting, model_.interaction.h, model_.spacing, deltaT, model_.symmetry));
+            for (int d = 0; d < dim; ++d)
+            {
+                x_[k][d] += s[d];
+            }
+        }
+    }
+
+    //- Rates of energy by the positions, velocities and densities as they are now
+    void sumEnergyRates()
+    {
+        packFields();
+        const std::int64_t n = x_.size();
+        for (std::int64_t k = 0; k < n; ++k)
+        {
+            for (int d = 0; d < dim; ++d)
+            {
+                packed_.velocity[d][place_[k]] = v_[k][d];
+            }
+        }
+        packImages(packed_.velocity);
+        packWalls();
+        interaction_.sumEnergyRate(neighbours_, packed_, nThreads_);
+        for (std::int64_t k = 0; k < n; ++k)
+        {
+            energyRate_[k] = packed_.energyRate[place_[k]];
+            heating_[k] = packed_.heating[place_[k]];
+        }
+    }
+
+    //- Over the step that is made, by the mean of the rates at its ends
+    void integrateEnergy(double deltaT)
+    {
+        if (!model_.energy)
+        {
+            return;
+        }
+        for (const bool after : {false, true})
+        {
+            if (after)
+            {
+                sumEnergyRates();
+            }
+            for (std::size_t k = 0; k < x_.size(); ++k)
+            {
+                energy_[k] += 0.5*deltaT*energyRate_[k];
+                heat_[k] += 0.5*deltaT*heating_[k];
+            }
+        }
+    }
+
     //- Fluid: a kick and a drift of half a step
     void kickAndDrift(double half)
     {
@@ -613,6 +760,7 @@ class flowIn
         }
         moveBodies(1, deltaT);
         arriveBodies(deltaT);
+        shift(deltaT);
         sumAcceleration();
 
         #pragma omp parallel for num_threads(nThreads_) schedule(static)
@@ -672,6 +820,7 @@ class flowIn
         }
         moveBodies(1, deltaT);
         arriveBodies(deltaT);
+        shift(deltaT);
     }
 
     //- Largest speed and acceleration; throws where a number is not finite
@@ -787,8 +936,24 @@ public:
                 bodyParticles_.push_back({std::int32_t(k), 0, &found->second, now.orientation.T() & r});
             }
         }
+        if (model_.energy)
+        {
+            energy_ = start.energy;
+            heat_ = start.heat;
+            for (std::size_t k = energy_.size(); k < x_.size(); ++k)
+            {
+                energy_.push_back(isFluid(k) ? state_.energy(density_[k]) : 0);
+                heat_.push_back(0);
+            }
+            energyRate_.resize(x_.size());
+            heating_.resize(x_.size());
+        }
         search();
         sumAcceleration();
+        if (model_.energy)
+        {
+            sumEnergyRates();
+        }
         if (!start.acceleration.empty())
         {
             for (std::size_t k = 0; k < x_.size(); ++k)
@@ -826,7 +991,8 @@ public:
         {
             refuse("time step", deltaT, "a number above 0");
         }
-        if (isStale((maxSpeed_ + maxAcceleration_*deltaT)*deltaT))
+        const double longest = model_.shifting > 0 ? longestShift*model_.spacing : 0;
+        if (isStale((maxSpeed_ + maxAcceleration_*deltaT)*deltaT + longest))
         {
             search();
         }
@@ -840,6 +1006,7 @@ public:
             stepSymplectic(deltaT);
         }
         absorb(deltaT);
+        integrateEnergy(deltaT);
         time_ += deltaT;
         nParticleSteps_ += nFluid_;
         checkFields();
@@ -866,6 +1033,8 @@ public:
         s.mass.resize(x_.size());
         s.pressure.resize(x_.size());
         s.wall.resize(x_.size());
+        s.energy.resize(energy_.size());
+        s.heat.resize(heat_.size());
         for (std::size_t k = 0; k < x_.size(); ++k)
         {
             const std::int32_t i = original_[k];
@@ -876,6 +1045,11 @@ public:
             s.mass[i] = mass_[k];
             s.pressure[i] = state_.pressure(density_[k]);
             s.wall[i] = wall_[k];
+            if (model_.energy)
+            {
+                s.energy[i] = energy_[k];
+                s.heat[i] = heat_[k];
+            }
         }
         return s;
     }
@@ -900,7 +1074,7 @@ public:
 
     typename particleFlow<dim>::energies energy() const override
     {
-        typename particleFlow<dim>::energies e{0, 0, 0};
+        typename particleFlow<dim>::energies e{};
         for (std::size_t k = 0; k < x_.size(); ++k)
         {
             if (isFluid(k))
@@ -911,6 +1085,11 @@ public:
                     e.potential -= mass_[k]*model_.interaction.g[d]*x_[k][d];
                 }
                 e.internal += mass_[k]*state_.energy(density_[k]);
+            }
+            if (model_.energy)
+            {
+                (isFluid(k) ? e.internalEq2 : e.wallLayers) += mass_[k]*energy_[k];
+                (isFluid(k) ? e.dissipated : e.workOfWalls) += mass_[k]*heat_[k];
             }
         }
         return e;
@@ -941,6 +1120,9 @@ public:
         return
             neighbours_.bytes()
           + neighbours_.size()*(fields::nFields + 3*dim + 2 + 2*dim*!bodies_.empty())*sizeof(Real)
+          + (model_.interaction.diffusion == diffusionType::Antuono)*neighbours_.size()*dim*sizeof(Real)
+          + model_.energy*(neighbours_.size()*(dim + 2)*sizeof(Real) + x_.size()*4*sizeof(double))
+          + (model_.shifting > 0)*neighbours_.size()*(2*dim + 3)*sizeof(Real)
           + x_.size()*(7*sizeof(vector) + 3*sizeof(double) + 4*sizeof(std::int32_t))
           + images_.size()*(sizeof(mirrorImage<dim>) + sizeof(vector));
     }
@@ -976,6 +1158,7 @@ std::unique_ptr<Foam::smoothedParticles::particleFlow<dim>> Foam::smoothedPartic
     checkNotNegative("beta", m.beta);
     checkNotNegative("delta", m.delta);
     checkNotNegative("acousticDamper", m.acousticDamper);
+    checkNotNegative("shifting", model.shifting);
     checkPositive("number of threads", nThreads);
     if (!(m.gamma > 1) || !std::isfinite(m.gamma))
     {
@@ -989,12 +1172,14 @@ std::unique_ptr<Foam::smoothedParticles::particleFlow<dim>> Foam::smoothedPartic
     if
     (
         start.v.size() != n || start.density.size() != n || start.wall.size() != n
+     || (start.energy.size() != n && !start.energy.empty()) || start.heat.size() != start.energy.size()
      || (start.mass.size() != n && !start.mass.empty()) || (start.acceleration.size() != n && !start.acceleration.empty())
     )
     {
         throw std::invalid_argument
         (
-            "state of the particles: expected as many velocities, densities, walls, and masses and accelerations if any, as positions"
+            "state of the particles: expected as many velocities, densities, walls, and masses, accelerations and energies if"
+            " any, as positions"
         );
     }
     for (std::size_t k = 0; k < n; ++k)

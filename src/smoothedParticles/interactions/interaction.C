@@ -2,6 +2,7 @@
 #pragma GCC optimize("no-math-errno", "no-trapping-math")
 
 #include "interaction.H"
+#include "particleShifting.H"
 #include "smoothingKernels.H"
 
 #include <algorithm>
@@ -77,6 +78,42 @@ void Foam::smoothedParticles::packedParticles<Real, dim>::moveWalls()
         ownVelocity[d].assign(densityRate.size(), 0);
         ownAcceleration[d].assign(densityRate.size(), 0);
     }
+}
+
+
+template<class Real, int dim>
+void Foam::smoothedParticles::packedParticles<Real, dim>::addDensityGradient()
+{
+    for (int d = 0; d < dim; ++d)
+    {
+        densityGradient[d].assign(densityRate.size(), 0);
+    }
+}
+
+
+template<class Real, int dim>
+void Foam::smoothedParticles::packedParticles<Real, dim>::addEnergy()
+{
+    for (int d = 0; d < dim; ++d)
+    {
+        velocity[d].assign(densityRate.size(), 0);
+    }
+    energyRate.assign(densityRate.size(), 0);
+    heating.assign(densityRate.size(), 0);
+}
+
+
+template<class Real, int dim>
+void Foam::smoothedParticles::packedParticles<Real, dim>::addShifting()
+{
+    for (int d = 0; d < dim; ++d)
+    {
+        concentration[d].assign(densityRate.size(), 0);
+        surfaceNormal[d].assign(densityRate.size(), 0);
+    }
+    positionDivergence.assign(densityRate.size(), 0);
+    nearSurface.assign(densityRate.size(), 0);
+    wallDistance2.assign(densityRate.size(), 0);
 }
 
 

@@ -44,17 +44,19 @@ void forArrays(State& state, const What& what)
     what(state.mass);
     what(state.pressure);
     what(state.wall);
+    what(state.energy);
+    what(state.heat);
     what(state.bodies);
 }
 
 
 template<int dim>
-std::string header(std::size_t n, std::size_t nBodies, double time, double spacing, double rho0)
+std::string header(std::size_t n, std::size_t nBodies, bool energies, double time, double spacing, double rho0)
 {
     std::ostringstream os;
     os  << std::setprecision(17)
-        << "plungeSPH particles: x v a [float64 dimensions], density - rho0, mass, pressure [float64], wall [int32, -1 fluid], bodies [float64]\n"
-        << "dimensions " << dim << "\nparticles " << n << "\nbodies " << nBodies << "\nspacing " << spacing << "\nrho0 " << rho0
+        << "plungeSPH particles: x v a [float64 dimensions], density - rho0, mass, pressure [float64], wall [int32, -1 fluid], energy, heat, bodies [float64]\n"
+        << "dimensions " << dim << "\nparticles " << n << "\nenergies " << energies << "\nbodies " << nBodies << "\nspacing " << spacing << "\nrho0 " << rho0
         << "\ntime " << time << "\n\n";
     return os.str();
 }
@@ -129,7 +131,7 @@ void Foam::smoothedParticles::writeCheckpoint
         refuseSystem(part);
     }
     std::ofstream os(file, std::ios::binary);
-    const std::string text(header<dim>(state.size(), state.bodies.size(), state.time, spacing, rho0));
+    const std::string text(header<dim>(state.size(), state.bodies.size(), !state.energy.empty(), state.time, spacing, rho0));
     os.write(text.data(), text.size());
     forArrays
     (
@@ -185,9 +187,10 @@ Foam::smoothedParticles::particleState<dim> Foam::smoothedParticles::readCheckpo
     state.time = value<double>(file, text, "time");
     const std::size_t n = value<std::size_t>(file, text, "particles");
     const std::size_t nBodies = value<std::size_t>(file, text, "bodies");
+    const std::size_t nEnergies = n*value<bool>(file, text, "energies");
     const std::streamoff start = is.tellg();
     is.seekg(0, std::ios::end);
-    const std::streamoff bytes = n*((3*dim + 3)*sizeof(double) + sizeof(std::int32_t)) + nBodies*sizeof(double);
+    const std::streamoff bytes = n*((3*dim + 3)*sizeof(double) + sizeof(std::int32_t)) + (2*nEnergies + nBodies)*sizeof(double);
     if (is.tellg() - start != bytes)
     {
         std::ostringstream os;
@@ -200,7 +203,8 @@ Foam::smoothedParticles::particleState<dim> Foam::smoothedParticles::readCheckpo
         state,
         [&](auto& array)
         {
-            array.resize(static_cast<const void*>(&array) == &state.bodies ? nBodies : n);
+            const void* one = &array;
+            array.resize(one == &state.bodies ? nBodies : one == &state.energy || one == &state.heat ? nEnergies : n);
             is.read(reinterpret_cast<char*>(array.data()), array.size()*sizeof(array[0]));
         }
     );

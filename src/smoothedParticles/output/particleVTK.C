@@ -68,6 +68,17 @@ void Foam::smoothedParticles::particleVTK::write(const particleState<dim>& state
             (
                 format, "wall", n, [&](const std::size_t i){ format.write(static_cast<label>(state.wall[i])); }
             );
+            if (!state.energy.empty())
+            {
+                vtpSeries::writeArray<float, 1>
+                (
+                    format, "energy", n, [&](const std::size_t i){ format.write(static_cast<float>(state.energy[i])); }
+                );
+                vtpSeries::writeArray<float, 1>
+                (
+                    format, "heat", n, [&](const std::size_t i){ format.write(static_cast<float>(state.heat[i])); }
+                );
+            }
             format.endPointData();
         }
     );

@@ -5,6 +5,7 @@
 #include "particleSetUp.H"
 
 #include "Enum.H"
+#include "FlatOutput.H"
 #include "fluidSelection.H"
 #include "PtrList.H"
 #include "uniformDimensionedFields.H"
@@ -43,6 +44,7 @@ const Enum<diffusionType> diffusionNames
     { diffusionType::none, "none" },
     { diffusionType::Molteni, "Molteni" },
     { diffusionType::Fourtakas, "Fourtakas" },
+    { diffusionType::Antuono, "Antuono" },
     { diffusionType::Riemann, "Riemann" },
 });
 
@@ -135,6 +137,8 @@ void Foam::smoothedParticles::particleProperties::readLiquid(const dictionary& d
         }
         common_.rho0 = liquid.value(titan::property::density, dict);
         m.mu = liquid.value(titan::property::viscosity, dict);
+        liquidSoundSpeed_ =
+            liquid.has(titan::property::soundSpeed) ? liquid.value(titan::property::soundSpeed, dict) : 0;
         liquid.print(Info, {titan::property::density, titan::property::viscosity, titan::property::soundSpeed});
         return;
     }
@@ -149,25 +153,99 @@ void Foam::smoothedParticles::particleProperties::readLiquid(const dictionary& d
 
 void Foam::smoothedParticles::particleProperties::readSoundSpeed(const dictionary& dict)
 {
-    titan::checkKeywords(dict, wordHashSet({"c0", "maxSpeed", "factor"}));
-    if (dict.found("c0") == dict.found("maxSpeed"))
+    const wordList choices({"c0", "maxSpeed", "depth", "bulkModulus", "liquid"});
+    wordHashSet known(choices);
+    known.insert("factor");
+    titan::checkKeywords(dict, known);
+    wordList given;
+    for (const word& choice : choices)
+    {
+        if (dict.found(choice))
+        {
+            given.append(choice);
+        }
+    }
+    if (given.size() != 1)
     {
         FatalIOErrorInFunction(dict)
-            << "Entries c0 and maxSpeed are " << (dict.found("c0") ? "both" : "neither") << " given" << nl
-            << "Expected: one of them: c0, or maxSpeed, the highest speed that is expected [m/s], and optionally factor,"
-            << " c0 over it (10)." << exit(FatalIOError);
+            << "Entries given: " << flatOutput(given) << nl
+            << "Expected: one of them: c0 [m/s]; maxSpeed, the highest speed that is expected [m/s], and optionally factor, c0"
+            << " over it (10); depth of the liquid [m]; bulkModulus [Pa]; or liquid yes, the sound speed of a fluid of the"
+            << " library." << exit(FatalIOError);
     }
     interactionModel& m = common_.interaction;
-    if (dict.found("c0"))
+    if (given[0] != "maxSpeed")
+    {
+        readCoefficient(dict, "factor", false, "maxSpeed");
+    }
+    if (given[0] == "c0")
     {
         m.c0 = readPositive(dict, "c0");
-        readCoefficient(dict, "factor", false, "maxSpeed instead of c0");
+    }
+    else if (given[0] == "depth")
+    {
+        if (!(mag(g_) > 0))
+        {
+            refuse(dict, "depth", "given, but there is no gravity", "gravity, or another choice.");
+        }
+        m.c0 = Foam::sqrt(100*mag(g_)*readPositive(dict, "depth"));
+    }
+    else if (given[0] == "bulkModulus")
+    {
+        m.c0 = Foam::sqrt(readPositive(dict, "bulkModulus")/common_.rho0);
+    }
+    else if (given[0] == "liquid")
+    {
+        if (!dict.get<bool>("liquid") || !(liquidSoundSpeed_ > 0))
+        {
+            refuse
+            (
+                dict,
+                "liquid",
+                dict.get<word>("liquid") + (liquidSoundSpeed_ > 0 ? "" : ", but the speed of sound of the liquid is not known"),
+                "yes, and a fluid or composition in the entry liquid of particleProperties."
+            );
+        }
+        m.c0 = liquidSoundSpeed_;
     }
     else
     {
         expectedSpeed_ = readPositive(dict, "maxSpeed");
         m.c0 = positive(dict, "factor", dict.lookupOrDefault<scalar>("factor", 10))*expectedSpeed_;
     }
+}
+
+
+void Foam::smoothedParticles::particleProperties::readSmoothingLength()
+{
+    if (!dict_.found("neighbours"))
+    {
+        common_.interaction.h =
+            common_.spacing
+           *positive(dict_, "smoothingLength", dict_.lookupOrDefault<scalar>("smoothingLength", 1.5));
+        return;
+    }
+    if (dict_.found("smoothingLength"))
+    {
+        refuse(dict_, "neighbours", "given, and smoothingLength too", "one of them.");
+    }
+    const label n = dict_.get<label>("neighbours");
+    if (n < 10 || n > 500)
+    {
+        refuse(dict_, "neighbours", std::to_string(n), "10 to 500.");
+    }
+    const scalar ratio = smoothingLengthOf(n, dimensions_);
+    if (ratio < 1)
+    {
+        refuse
+        (
+            dict_,
+            "neighbours",
+            std::to_string(n) + ", by which the smoothing length is " + std::to_string(ratio) + " spacings",
+            "so many that it is a spacing or more: 33 in three dimensions, 12 in two."
+        );
+    }
+    common_.interaction.h = ratio*common_.spacing;
 }
 
 
@@ -256,7 +334,7 @@ Foam::smoothedParticles::particleProperties::particleProperties(const Time& runT
         ({
             "FoamFile", "dimensions", "kernel", "smoothingLength", "viscosity", "alpha", "densityDiffusion", "delta",
             "walls", "precision", "timeStepping", "Courant", "liquid", "speedOfSound", "geometry", "bodies", "symmetry",
-            "absorption", "momentum", "beta", "acousticDamper", "outputs"
+            "absorption", "momentum", "beta", "acousticDamper", "outputs", "neighbours", "shifting", "energy"
         })
     );
     if (dimensions_ != 2 && dimensions_ != 3)
@@ -280,25 +358,35 @@ Foam::smoothedParticles::particleProperties::particleProperties(const Time& runT
 
     interactionModel& m = common_.interaction;
     m.kernel = kernelNames.lookupOrDefault("kernel", dict_, kernelType::WendlandC2);
-    m.h =
-        common_.spacing
-       *positive(dict_, "smoothingLength", dict_.lookupOrDefault<scalar>("smoothingLength", 1.5));
+    readSmoothingLength();
     m.pressure = pressureNames.lookupOrDefault("momentum", dict_, pressureType::fluid);
     m.viscosity = viscosityNames.get("viscosity", dict_);
-    m.alpha = readCoefficient(dict_, "alpha", m.viscosity == viscosityType::artificial, "viscosity artificial");
+    const bool artificial = m.viscosity == viscosityType::artificial;
     if (dict_.found("beta"))
     {
-        m.beta = readCoefficient(dict_, "beta", m.viscosity == viscosityType::artificial, "viscosity artificial");
+        m.beta = readCoefficient(dict_, "beta", artificial, "viscosity artificial");
+    }
+    // Quadratic bulk viscosity may do without the linear one
+    if (dict_.found("alpha") || !(m.beta > 0))
+    {
+        m.alpha = readCoefficient(dict_, "alpha", artificial, "viscosity artificial");
     }
     m.diffusion = diffusionNames.get("densityDiffusion", dict_);
     m.delta = readCoefficient
     (
         dict_,
         "delta",
-        m.diffusion == diffusionType::Molteni || m.diffusion == diffusionType::Fourtakas,
-        "densityDiffusion Molteni or Fourtakas"
+        m.diffusion != diffusionType::none && m.diffusion != diffusionType::Riemann,
+        "densityDiffusion Molteni, Fourtakas or Antuono"
     );
     m.acousticDamper = dict_.found("acousticDamper") ? readPositive(dict_, "acousticDamper") : 0;
+    if (dict_.found("shifting"))
+    {
+        const dictionary& shifting = dict_.subDict("shifting");
+        titan::checkKeywords(shifting, wordHashSet({"coefficient"}));
+        common_.shifting = positive(shifting, "coefficient", shifting.lookupOrDefault<scalar>("coefficient", 2));
+    }
+    common_.energy = dict_.lookupOrDefault<bool>("energy", false);
     m.noSlip = wallNames.get("walls", dict_);
     readLiquid(dict_.subDict("liquid"));
     readSoundSpeed(dict_.subDict("speedOfSound"));
@@ -337,6 +425,8 @@ Foam::smoothedParticles::particleFlowModel<dim> Foam::smoothedParticles::particl
     result.Courant = common_.Courant;
     result.symmetry = common_.symmetry;
     result.absorption = common_.absorption;
+    result.shifting = common_.shifting;
+    result.energy = common_.energy;
     result.singlePrecision = common_.singlePrecision;
     return result;
 }
@@ -349,10 +439,16 @@ void Foam::smoothedParticles::particleProperties::print(Ostream& os) const
         << ", viscosity " << viscosityNames[m.viscosity] << ", density diffusion " << diffusionNames[m.diffusion] << ", walls "
         << wallNames[m.noSlip] << ", " << precisionNames[common_.singlePrecision] << " precision, "
         << timeSteppingNames[common_.timeStepping] << " steps at Courant number " << common_.Courant << nl
-        << "Lengths: spacing " << common_.spacing << " m, smoothing length " << m.h << " m" << nl
+        << "Lengths: spacing " << common_.spacing << " m, smoothing length " << m.h << " m, "
+        << neighboursOnLattice(m.h/common_.spacing, dimensions_) << " neighbours in the support on the lattice" << nl
         << "Liquid: density " << common_.rho0 << " kg/m3, viscosity "
         << (m.viscosity == viscosityType::laminar ? m.mu : scalar(0)) << " Pa s, gamma " << m.gamma << nl
-        << "Speed of sound: c0 = " << m.c0 << " m/s, a tenth of which is " << boundOnSpeed() << " m/s" << endl;
+        << "Speed of sound: c0 = " << m.c0 << " m/s, k0 = rho c0^2/gamma = " << common_.rho0*sqr(m.c0)/m.gamma
+        << " Pa; a tenth of c0 is " << boundOnSpeed() << " m/s" << endl;
+    if (common_.shifting > 0)
+    {
+        os  << "Shifting: coefficient " << common_.shifting << endl;
+    }
     if (expectedSpeed_ > boundOnSpeed()*(1 + SMALL))
     {
         WarningInFunction
