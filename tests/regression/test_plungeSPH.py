@@ -214,6 +214,77 @@ def test_bodies(tmp_path: Path) -> None:
     assert np.ptp(np.sort(corners[2][:, 2])[-4:]) > 1e-3, "the wedge does not turn"
 
 
+def formulation(run: Path) -> None:
+    """What docs/particles.md says of the paper's formulation, into a case in the plane."""
+    text = (REPOSITORY / "docs/particles.md").read_text().split("## The paper's formulation")[1].split("```")[1]
+    path = run / PROPERTIES
+    old = path.read_text()
+    for entry in ("kernel", "smoothingLength", "viscosity", "alpha", "densityDiffusion", "delta", "walls"):
+        old = re.sub(rf"\n{entry} .*", "", old)
+    for entry in ("liquid", "speedOfSound"):
+        old = re.sub(rf"\n{entry}\n{{[^}}]*}}\n", "", old)
+    path.write_text(old + text)
+
+
+def test_paperFormulation(tmp_path: Path) -> None:
+    """The formulation of IAC-20-E2.1.9 on Titan: its k0; the energy budget holds, also over a restart, and eq. 2 follows the
+    equation of state."""
+    run = case("stillTank", tmp_path / "run", endTime=0.2, writeInterval=0.1, purgeWrite=0)
+    formulation(run)
+    setEntry(run, "constant/g", "value", "(0 -1.35 0)")
+    # The floor of a tank of 25 layers of particles would be within the support of the surface of 13 of them
+    setEntry(run, PROPERTIES, "neighbours", 60)
+    output = foam("plungeSPH", "-threads", 1, case=run)
+    k0, c0 = (float(re.search(rf"{name} = (\S+) ", output).group(1)) for name in ("c0\\^2/gamma", "c0"))
+    assert k0 == pytest.approx(100*1.35*664/7, rel=1e-4) and c0 == pytest.approx(10*np.sqrt(1.35), rel=1e-4)
+    assert "momentum fluid" in output and "Mach number: 0," in output
+    energy = table(run, "energy")
+    assert energy["internal_eq2_J"][0] == pytest.approx(energy["internal_J"][0])
+    exchanged = np.ptp(energy["potential_J"])
+    assert exchanged > 0
+    print("drift of the budget over the potential energy exchanged", np.ptp(energy["budget_J"])/exchanged)
+    assert np.ptp(energy["budget_J"]) < 0.01*exchanged
+    assert (np.diff(energy["dissipated_J"]) >= 0).all() and energy["dissipated_J"][-1] > 0
+    twin = copy(run, "restarted")
+    for old in ("0.2", "postProcessing"):
+        shutil.rmtree(twin / old)
+    foam("plungeSPH", "-threads", 1, case=twin)
+    again = table(twin, "energy", "0.1")
+    for column in ("internal_eq2_J", "dissipated_J", "budget_J"):
+        np.testing.assert_allclose(again[column][1:], energy[column][-len(again) + 1:], rtol=1e-5)
+    arrays = vtk.vtkXMLPolyDataReader()
+    arrays.SetFileName(str(next((run / "VTK").glob("particles_0.2*.vtp"))))
+    arrays.Update()
+    assert vtk_to_numpy(arrays.GetOutput().GetPointData().GetArray("heat")).max() > 0
+
+
+SPEEDS = {
+    "depth": ({}, "{ depth 0.5; }", 10*np.sqrt(GRAVITY*0.5)),
+    "bulkModulus": ({}, "{ bulkModulus 2.25e9; }", 1500),
+    "liquid": ({"liquid": "{ fluid Kraken; }"}, "{ liquid yes; }", 1950),
+}
+
+
+@pytest.mark.parametrize("name", SPEEDS)
+def test_speedOfSound(name: str, tmp_path: Path) -> None:
+    """Each way to say the speed of sound; that of Titan's sea to 5 % of what the design says of it."""
+    entries, speed, expected = SPEEDS[name]
+    run = case("stillTank", tmp_path / "run", {**entries, "speedOfSound": speed}, endTime=1e-6, writeInterval=1e-6)
+    output = foam("plungeSPH", "-threads", 1, case=run)
+    assert float(re.search(r"c0 = (\S+) m/s", output).group(1)) == pytest.approx(expected, rel=0.05 if entries else 1e-4)
+
+
+@pytest.mark.parametrize("entries", ({"densityDiffusion": "Antuono"}, {"shifting": "{}"}))
+def test_stillTankBy(entries: Dict[str, str], tmp_path: Path) -> None:
+    """Hydrostatic pressure and next to no motion by the other choices too."""
+    run = case("stillTank", tmp_path / "run", entries, endTime=0.5, writeInterval=0.5)
+    foam("plungeSPH", "-threads", 1, case=run)
+    now = particles(run)
+    deep = (now["wall"] < 0) & (now["x"][:, 1] < 0.5 - 0.06)
+    assert np.abs(now["p"][deep] - pressureAtRest(0.5 - now["x"][deep, 1], 22)).max() < 0.01*WATER*GRAVITY*0.5
+    assert table(run, "energy")["max_speed_m_s"][25:].max() < 0.01*np.sqrt(GRAVITY*0.5)
+
+
 MISTAKES = {
     "unknown entry": (("smothingLength", "1.5"), ("smothingLength", "smoothingLength")),
     "dimensions": (("dimensions", "4"), ("dimensions", "4", "2 or 3")),
@@ -223,6 +294,10 @@ MISTAKES = {
     "spacing of zero": (("geometry/spacing", "0"), ("spacing",)),
     "c0 and maxSpeed": (("speedOfSound/c0", "30"), ("c0", "maxSpeed", "one of them")),
     "smoothing length": (("smoothingLength", "0.5"), ("spacing",)),
+    "neighbours and smoothing length": (("neighbours", "30"), ("neighbours", "smoothingLength", "one of them")),
+    "depth and maxSpeed": (("speedOfSound/depth", "0.5"), ("maxSpeed", "depth", "one of them")),
+    "speed of sound of an unknown liquid": (("speedOfSound", "{ liquid yes; }"), ("liquid", "composition")),
+    "unknown entry of shifting": (("shifting", "{ strength 2; }"), ("strength", "coefficient")),
     "a gas": (("liquid", "{ fluid titanAir; }"), ("titanAir", "liquid")),
     "probe off the plane": (("outputs/probes/half", "(0 0 1)"), ("half", "z = 0")),
 }

@@ -734,7 +734,8 @@ void checkSurface(const interactionModel& m, double tolerance)
         EXPECT_LT(error[which], tolerance*largest[which]) << which;
     }
     EXPECT_GT(nNear, 10);
-    EXPECT_GT(particles.fluid.size() - nNear, 10u);
+    // In three dimensions the cloud is too small to be without a surface anywhere
+    EXPECT_TRUE(dim == 3 || particles.fluid.size() - nNear > 10);
 }
 
 } // End anonymous namespace

@@ -282,7 +282,7 @@ TEST(ParticleFlow, collisionKeepsMomentum)
 }
 
 
-// The budget of energy holds to the square of the time step, with a free surface, walls, one of which moves, and planes of
+// The budget of energy holds to the time step's order, with a free surface, walls, one of which moves, and planes of
 // symmetry; and to sum it changes nothing
 TEST(ParticleFlow, energyBudget)
 {
@@ -349,18 +349,18 @@ TEST(ParticleFlow, energyBudget)
         EXPECT_NEAR(end.internalEq2/end.internal, 1, 0.1);
         return drift/std::abs(end.workOfWalls);
     };
-    for (const viscosityType viscosity : {viscosityType::laminar, viscosityType::artificial})
+    for (const viscosityType viscosity : {viscosityType::none, viscosityType::laminar, viscosityType::artificial})
     {
         const double coarse = piston(0.4, viscosity, timeSteppingType::Verlet);
         const double fine = piston(0.2, viscosity, timeSteppingType::Verlet);
         RecordProperty("drift", std::to_string(coarse));
         std::printf("budget: drift over work %g at Courant number 0.4, %g at 0.2\n", coarse, fine);
-        EXPECT_LT(coarse, 0.01);
-        EXPECT_LT(fine, coarse/2.5);
+        EXPECT_LT(coarse, 1e-3);
+        EXPECT_LT(fine, coarse/1.8);
     }
     const double symplectic = piston(0.2, viscosityType::artificial, timeSteppingType::symplectic);
     std::printf("symplectic %g\n", symplectic);
-    EXPECT_LT(symplectic, 0.01);
+    EXPECT_LT(symplectic, 1e-3);
 }
 
 
@@ -427,7 +427,7 @@ TEST(ParticleFlow, shiftingEvensTheParticles)
             s.density[k] = rho0*(std::pow(1 + 7*(5 + 0.25*(std::cos(2*x) + std::cos(2*y)))/100, 1.0/7) - 1);
         }
         auto flow = newParticleFlow<2>(s, m, 1);
-        run(*flow, 1);
+        run(*flow, 0.6);
         const particleState<2> end = flow->state();
         for (const std::array<double, 2>& x : end.x)
         {

@@ -737,6 +737,25 @@ class flowIn
         }
     }
 
+    //- A particle that has passed a plane of symmetry changes places with its image
+    void keepInside()
+    {
+        for (const symmetryPlane& plane : model_.symmetry)
+        {
+            const std::int64_t n = x_.size();
+            #pragma omp parallel for num_threads(nThreads_) schedule(static)
+            for (std::int64_t k = 0; k < n; ++k)
+            {
+                if (isFluid(k) && plane.distance(x_[k]) < 0)
+                {
+                    x_[k][plane.axis] = 2*plane.at - x_[k][plane.axis];
+                    v_[k][plane.axis] *= -1;
+                    a_[k][plane.axis] *= -1;
+                }
+            }
+        }
+    }
+
     void stepVerlet(double deltaT)
     {
         const std::int64_t n = x_.size();
@@ -1005,6 +1024,7 @@ public:
         {
             stepSymplectic(deltaT);
         }
+        keepInside();
         absorb(deltaT);
         integrateEnergy(deltaT);
         time_ += deltaT;
