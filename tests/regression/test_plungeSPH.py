@@ -229,10 +229,10 @@ def formulation(run: Path) -> None:
 def test_paperFormulation(tmp_path: Path) -> None:
     """The formulation of IAC-20-E2.1.9 on Titan: its k0; the energy budget holds, also over a restart, and eq. 2 follows the
     equation of state."""
-    run = case("stillTank", tmp_path / "run", endTime=0.2, writeInterval=0.1, purgeWrite=0)
+    run = case("damBreakParticles", tmp_path / "run", {"geometry/spacing": 0.01}, endTime=0.4, writeInterval=0.2, purgeWrite=0)
     formulation(run)
     setEntry(run, "constant/g", "value", "(0 -1.35 0)")
-    # The floor of a tank of 25 layers of particles would be within the support of the surface of 13 of them
+    # 500 reach as far as the column is wide
     setEntry(run, PROPERTIES, "neighbours", 60)
     output = foam("plungeSPH", "-threads", 1, case=run)
     k0, c0 = (float(re.search(rf"{name} = (\S+) ", output).group(1)) for name in ("c0\\^2/gamma", "c0"))
@@ -240,20 +240,20 @@ def test_paperFormulation(tmp_path: Path) -> None:
     assert "momentum fluid" in output and "Mach number: 0," in output
     energy = table(run, "energy")
     assert energy["internal_eq2_J"][0] == pytest.approx(energy["internal_J"][0])
-    exchanged = np.ptp(energy["potential_J"])
-    assert exchanged > 0
-    print("drift of the budget over the potential energy exchanged", np.ptp(energy["budget_J"])/exchanged)
-    assert np.ptp(energy["budget_J"]) < 0.01*exchanged
+    kinetic = energy["kinetic_J"][-1]
+    assert np.ptp(energy["budget_J"]) < 1e-3*kinetic
+    # Without density diffusion eq. 2 is the equation of state's energy
+    assert np.abs(energy["internal_eq2_J"] - energy["internal_J"]).max() < 1e-3*kinetic
     assert (np.diff(energy["dissipated_J"]) >= 0).all() and energy["dissipated_J"][-1] > 0
     twin = copy(run, "restarted")
-    for old in ("0.2", "postProcessing"):
+    for old in ("0.4", "postProcessing"):
         shutil.rmtree(twin / old)
     foam("plungeSPH", "-threads", 1, case=twin)
-    again = table(twin, "energy", "0.1")
+    again = table(twin, "energy", "0.2")
     for column in ("internal_eq2_J", "dissipated_J", "budget_J"):
         np.testing.assert_allclose(again[column][1:], energy[column][-len(again) + 1:], rtol=1e-5)
     arrays = vtk.vtkXMLPolyDataReader()
-    arrays.SetFileName(str(next((run / "VTK").glob("particles_0.2*.vtp"))))
+    arrays.SetFileName(str(next((run / "VTK").glob("particles_0.4*.vtp"))))
     arrays.Update()
     assert vtk_to_numpy(arrays.GetOutput().GetPointData().GetArray("heat")).max() > 0
 
