@@ -84,9 +84,10 @@ void Foam::smoothedParticles::packedParticles<Real, dim>::moveWalls()
 template<class Real, int dim>
 void Foam::smoothedParticles::packedParticles<Real, dim>::addDensityGradient()
 {
+    // With a cluster that is always empty, after the last
     for (int d = 0; d < dim; ++d)
     {
-        densityGradient[d].assign(densityRate.size(), 0);
+        densityGradient[d].assign(densityRate.size() + clusterSize, 0);
     }
 }
 
@@ -96,7 +97,7 @@ void Foam::smoothedParticles::packedParticles<Real, dim>::addEnergy()
 {
     for (int d = 0; d < dim; ++d)
     {
-        velocity[d].assign(densityRate.size(), 0);
+        velocity[d].assign(densityRate.size() + clusterSize, 0);
     }
     energyRate.assign(densityRate.size(), 0);
     heating.assign(densityRate.size(), 0);
@@ -111,7 +112,7 @@ void Foam::smoothedParticles::packedParticles<Real, dim>::addShifting()
         concentration[d].assign(densityRate.size(), 0);
         surfaceNormal[d].assign(densityRate.size(), 0);
     }
-    positionDivergence.assign(densityRate.size(), 0);
+    positionDivergence.assign(densityRate.size() + clusterSize, 0);
     nearSurface.assign(densityRate.size(), 0);
     wallDistance2.assign(densityRate.size(), 0);
 }

@@ -7,6 +7,7 @@
 #define plungeAVX512
 
 #include "interaction.H"
+#include "particleShifting.H"
 #include "smoothingKernels.H"
 
 #include <algorithm>
