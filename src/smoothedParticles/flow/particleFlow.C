@@ -145,6 +145,9 @@ class flowIn
             //- With the acceleration that the pressure on the wall is extrapolated with
             bodyState felt;
 
+            //- Where it is when forces are summed
+            bodyState at;
+
             bodyLoads loads;
         };
 
@@ -160,6 +163,19 @@ class flowIn
 
         std::vector<bodyParticle> bodyParticles_;
         std::vector<std::int32_t> bodyPlaces_;
+
+    // Contact
+
+        //- Of the surface on each particle [N], and its energy [J]
+        std::vector<vector> push_;
+        std::vector<double> spring_;
+
+        //- By wall
+        std::vector<bodyLoads> contactLoads_;
+        double contactEnergy_ = 0;
+
+        //- Highest square of a spring's frequency [1/s2]
+        double contactFrequency2_ = 0;
 
     clusterNeighbours<dim> neighbours_;
     fields packed_;
@@ -540,7 +556,106 @@ class flowIn
                 }
             }
         }
+        if (model_.contact.isOn())
+        {
+            sumContact();
+        }
         nPairs_ += pairsPerSum_;
+    }
+
+    //- The step that sound allows in a liquid at rest [s]
+    double soundStep() const
+    {
+        return model_.Courant*model_.interaction.h/model_.interaction.c0;
+    }
+
+    //- Where a wall is, and where its surface has been given
+    struct wallPose
+    {
+        Foam::point now, home;
+
+        //- From the axes of now to those of then
+        Foam::tensor back;
+    };
+
+    wallPose poseOf(std::int32_t wall) const
+    {
+        const auto found = bodies_.find(wall);
+        if (found == bodies_.end())
+        {
+            return {Foam::vector::zero, Foam::vector::zero, Foam::tensor::I};
+        }
+        const bodyState& home = model_.contact.homes.at(wall);
+        const bodyState& now = found->second.at;
+        return {now.centreOfMass, home.centreOfMass, home.orientation & now.orientation.T()};
+    }
+
+    //- Add the acceleration of the fluid by contact, and the loads on walls
+    void sumContact()
+    {
+        const penaltyContact& contact = model_.contact;
+        const std::int64_t n = x_.size();
+        contactEnergy_ = 0;
+        for (std::size_t w = 0; w < contact.walls.size(); ++w)
+        {
+            const contactSurface& surface = *contact.walls[w];
+            const wallPose pose(poseOf(w));
+
+            #pragma omp parallel for num_threads(nThreads_) schedule(static)
+            for (std::int64_t k = 0; k < n; ++k)
+            {
+                push_[k].fill(0);
+                spring_[k] = 0;
+                contactSurface::touching t;
+                if
+                (
+                    surface.touch(pose.home + (pose.back & (toVector(x_[k]) - pose.now)), t)
+                 && t.depth <= contact.maxDepth
+                )
+                {
+                    const double force = contact.k(mass_[k], soundStep(), t.area)*t.depth;
+                    const Foam::vector push(force*(pose.back.T() & t.normal));
+                    spring_[k] = 0.5*force*t.depth;
+                    for (int d = 0; d < dim; ++d)
+                    {
+                        push_[k][d] = push[d];
+                        a_[k][d] += push[d]/mass_[k];
+                    }
+                }
+            }
+
+            // In the order of the particles, whatever the number of threads
+            bodyLoads& loads = contactLoads_[w];
+            loads = {Foam::vector::zero, Foam::vector::zero, Foam::vector::zero};
+            for (std::int64_t k = 0; k < n; ++k)
+            {
+                if (spring_[k] > 0)
+                {
+                    const Foam::vector push(toVector(push_[k]));
+                    contactEnergy_ += spring_[k];
+                    loads.pressure -= push;
+                    loads.moment -= (toVector(x_[k]) - pose.now) ^ push;
+                }
+            }
+            const auto found = bodies_.find(w);
+            if (found != bodies_.end())
+            {
+                found->second.loads = loads;
+            }
+        }
+    }
+
+    void setUpContact()
+    {
+        const penaltyContact& contact = model_.contact;
+        push_.resize(x_.size());
+        spring_.resize(x_.size());
+        contactLoads_.resize(contact.walls.size());
+        const double lightest = *std::min_element(mass_.begin(), mass_.end());
+        for (const auto& wall : contact.walls)
+        {
+            contactFrequency2_ = std::max(contactFrequency2_, contact.k(lightest, soundStep(), wall->maxArea())/lightest);
+        }
     }
 
     void sumLoads()
@@ -577,6 +692,12 @@ class flowIn
     //- Bodies to a part of the way of this step, 0.5 or 1, with the mean velocity of the step
     void moveBodies(double part, double deltaT)
     {
+        for (auto& b : bodies_)
+        {
+            body& one = b.second;
+            one.at.centreOfMass = one.now.centreOfMass + part*(one.end.centreOfMass - one.now.centreOfMass);
+            one.at.orientation = one.now.orientation + part*(one.end.orientation - one.now.orientation);
+        }
         for (const bodyParticle& p : bodyParticles_)
         {
             const Foam::vector end(p.of->end.centreOfMass + (p.of->end.orientation & p.inBody));
@@ -938,7 +1059,7 @@ public:
         for (const auto& motion : moving)
         {
             body& b = bodies_[motion.first];
-            b.now = b.end = b.felt = motion.second;
+            b.now = b.end = b.felt = b.at = motion.second;
         }
         original_.resize(x_.size());
         for (std::size_t k = 0; k < x_.size(); ++k)
@@ -968,6 +1089,10 @@ public:
             heating_.resize(x_.size());
         }
         search();
+        if (model_.contact.isOn())
+        {
+            setUpContact();
+        }
         sumAcceleration();
         if (model_.energy)
         {
@@ -1001,7 +1126,13 @@ public:
             // Morris et al. 1997, eq. 22, whose factor of 0.125 is the Courant number's 0.2 here
             step = std::min(step, 0.6*h*h*model_.rho0/model_.interaction.mu);
         }
-        return model_.Courant*step;
+        step *= model_.Courant;
+        if (contactFrequency2_ > 0)
+        {
+            // Half of what is stable: 2 over the frequency
+            step = std::min(step, 1/std::sqrt(contactFrequency2_));
+        }
+        return step;
     }
 
     void advance(double deltaT) override
@@ -1076,6 +1207,15 @@ public:
 
     std::vector<vector> wallForces() override
     {
+        if (model_.contact.isOn())
+        {
+            std::vector<vector> forces(contactLoads_.size());
+            for (std::size_t w = 0; w < forces.size(); ++w)
+            {
+                std::copy_n(contactLoads_[w].pressure.begin(), dim, forces[w].begin());
+            }
+            return forces;
+        }
         interaction_.sumWallForce(neighbours_, packed_, packed_.walls, nThreads_);
         const std::int32_t last = wall_.empty() ? -1 : *std::max_element(wall_.begin(), wall_.end());
         std::vector<vector> forces(last + 1, vector{});
@@ -1095,6 +1235,7 @@ public:
     typename particleFlow<dim>::energies energy() const override
     {
         typename particleFlow<dim>::energies e{};
+        e.contact = contactEnergy_;
         for (std::size_t k = 0; k < x_.size(); ++k)
         {
             if (isFluid(k))
@@ -1144,6 +1285,7 @@ public:
           + model_.energy*(neighbours_.size()*(dim + 2)*sizeof(Real) + x_.size()*4*sizeof(double))
           + (model_.shifting > 0)*neighbours_.size()*(2*dim + 3)*sizeof(Real)
           + x_.size()*(7*sizeof(vector) + 3*sizeof(double) + 4*sizeof(std::int32_t))
+          + push_.size()*(sizeof(vector) + sizeof(double))
           + images_.size()*(sizeof(mirrorImage<dim>) + sizeof(vector));
     }
 

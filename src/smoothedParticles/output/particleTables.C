@@ -69,10 +69,10 @@ Foam::smoothedParticles::particleTables<dim>::particleTables
         runTime,
         "energy",
         "energy",
-        model.energy
-      ? "time_s,kinetic_J,potential_J,internal_J,max_speed_m_s,c0_at_least_10_max_speed_so_far,"
-        "internal_eq2_J,wall_layers_J,dissipated_J,work_of_walls_J,budget_J"
-      : "time_s,kinetic_J,potential_J,internal_J,max_speed_m_s,c0_at_least_10_max_speed_so_far"
+        std::string("time_s,kinetic_J,potential_J,internal_J,")
+      + (model.contact.isOn() ? "contact_J," : "")
+      + "max_speed_m_s,c0_at_least_10_max_speed_so_far"
+      + (model.energy ? ",internal_eq2_J,wall_layers_J,dissipated_J,work_of_walls_J,budget_J" : "")
     )
 {
     titan::checkKeywords(outputs, wordHashSet({"interval", "surfaceLevel", "gauges", "probes"}));
@@ -252,7 +252,12 @@ void Foam::smoothedParticles::particleTables<dim>::write(particleFlow<dim>& flow
     }
 
     const typename particleFlow<dim>::energies e(flow.energy());
-    energy_ << time_.value() << e.kinetic << e.potential << e.internal << flow.maxSpeed() << soundSpeedHolds;
+    energy_ << time_.value() << e.kinetic << e.potential << e.internal;
+    if (model_.contact.isOn())
+    {
+        energy_ << e.contact;
+    }
+    energy_ << flow.maxSpeed() << soundSpeedHolds;
     if (model_.energy)
     {
         energy_ << e.internalEq2 << e.wallLayers << e.dissipated << e.workOfWalls << e.budget();

@@ -784,8 +784,10 @@ Foam::smoothedParticles::particleState<dim> Foam::smoothedParticles::readParticl
             << "Expected: a spacing with at most " << labelMax << " of them." << exit(FatalIOError);
     }
 
+    // With contact walls have no particles, and no particle of fluid starts where it touches one
+    const bool contact = model.contact.isOn();
     UPtrList<const wallShape> made;
-    forAll(walls, i)
+    for (label i = 0; !contact && i < walls.size(); ++i)
     {
         walls[i].make(made, wallDicts[i]);
         made.append(&walls[i]);
@@ -837,7 +839,11 @@ Foam::smoothedParticles::particleState<dim> Foam::smoothedParticles::readParticl
                 inFluid = inFluid || fluids[j].contains(points[k]);
             }
             label wall = 0;
-            while (wall < walls.size() && !walls[wall].occupies(points[k]))
+            while
+            (
+                wall < walls.size()
+             && !(contact ? model.contact.touches(wall, points[k], (0.5 - nearest)*grid.spacing) : walls[wall].occupies(points[k]))
+            )
             {
                 ++wall;
             }
@@ -886,7 +892,10 @@ Foam::smoothedParticles::particleState<dim> Foam::smoothedParticles::readParticl
         Info<< "    wall " << walls[i].name << ": " << particles.x.size()
             << ", removed " << walls[i].nRemoved << " in or near other walls, and "
             << walls[i].nFluidRemoved << " of the fluid" << nl;
-        walls[i].printSolid(Info);
+        if (!contact)
+        {
+            walls[i].printSolid(Info);
+        }
     }
     Info<< endl;
     return state;

@@ -3,6 +3,7 @@
 #include "particleProperties.H"
 
 #include "particleSetUp.H"
+#include "smoothingKernels.H"
 
 #include "Enum.H"
 #include "FlatOutput.H"
@@ -52,6 +53,12 @@ const Enum<timeSteppingType> timeSteppingNames
 ({
     { timeSteppingType::Verlet, "Verlet" },
     { timeSteppingType::symplectic, "symplectic" },
+});
+
+const Enum<contactStiffness> stiffnessNames
+({
+    { contactStiffness::node, "node" },
+    { contactStiffness::segment, "segment" },
 });
 
 //- noSlip?
@@ -308,6 +315,38 @@ void Foam::smoothedParticles::particleProperties::readAbsorption()
 }
 
 
+void Foam::smoothedParticles::particleProperties::readContact(const fileName& caseDirectory)
+{
+    if (!dict_.found("contact"))
+    {
+        return;
+    }
+    const dictionary& dict = dict_.subDict("contact");
+    titan::checkKeywords(dict, wordHashSet({"stiffness", "factor", "bulkModulus", "thickness", "maxDepth"}));
+    if (common_.interaction.noSlip)
+    {
+        refuse(dict_, "walls", "noSlip, but there is contact", "slip: contact has no friction.");
+    }
+    penaltyContact& contact = common_.contact;
+    contact.stiffness = stiffnessNames.get("stiffness", dict);
+    contact.factor = readPositive(dict, "factor");
+    const bool segment = contact.stiffness == contactStiffness::segment;
+    contact.bulkModulus = readCoefficient(dict, "bulkModulus", segment, "stiffness segment");
+    contact.thickness = readCoefficient(dict, "thickness", segment, "stiffness segment");
+    if (dict.found("maxDepth"))
+    {
+        contact.maxDepth = common_.spacing*readPositive(dict, "maxDepth");
+    }
+    for (const dictionary& wall : readWalls(geometry()))
+    {
+        contact.walls.push_back
+        (
+            newContactSurface(wall, dimensions_, common_.spacing, supportRatio*common_.interaction.h, caseDirectory)
+        );
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::smoothedParticles::particleProperties::particleProperties(const Time& runTime)
@@ -334,7 +373,7 @@ Foam::smoothedParticles::particleProperties::particleProperties(const Time& runT
         ({
             "FoamFile", "dimensions", "kernel", "smoothingLength", "viscosity", "alpha", "densityDiffusion", "delta",
             "walls", "precision", "timeStepping", "Courant", "liquid", "speedOfSound", "geometry", "bodies", "symmetry",
-            "absorption", "momentum", "beta", "acousticDamper", "outputs", "neighbours", "shifting", "energy"
+            "absorption", "contact", "momentum", "beta", "acousticDamper", "outputs", "neighbours", "shifting", "energy"
         })
     );
     if (dimensions_ != 2 && dimensions_ != 3)
@@ -392,6 +431,7 @@ Foam::smoothedParticles::particleProperties::particleProperties(const Time& runT
     readSoundSpeed(dict_.subDict("speedOfSound"));
     readSymmetry();
     readAbsorption();
+    readContact(runTime.path());
 }
 
 
@@ -427,6 +467,7 @@ Foam::smoothedParticles::particleFlowModel<dim> Foam::smoothedParticles::particl
     result.absorption = common_.absorption;
     result.shifting = common_.shifting;
     result.energy = common_.energy;
+    result.contact = common_.contact;
     result.singlePrecision = common_.singlePrecision;
     return result;
 }
@@ -448,6 +489,11 @@ void Foam::smoothedParticles::particleProperties::print(Ostream& os) const
     if (common_.shifting > 0)
     {
         os  << "Shifting: coefficient " << common_.shifting << endl;
+    }
+    if (common_.contact.isOn())
+    {
+        os  << "Contact: springs by " << stiffnessNames[common_.contact.stiffness] << ", factor " << common_.contact.factor
+            << "; walls have no particles" << endl;
     }
     if (expectedSpeed_ > boundOnSpeed()*(1 + SMALL))
     {

@@ -21,9 +21,9 @@ Foam::smoothedParticles::particleSimulation<dim>::particleSimulation
 :
     time_(runTime),
     properties_(properties),
-    model_(properties.template model<dim>()),
     nThreads_(nThreads),
     bodies_(runTime, properties),
+    model_(model()),
     tables_(runTime, properties.outputs(), model_, readWallNames(properties.geometry())),
     vtk_(runTime),
     progress_(runTime)
@@ -51,6 +51,15 @@ Foam::smoothedParticles::particleSimulation<dim>::particleSimulation
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<int dim>
+Foam::smoothedParticles::particleFlowModel<dim> Foam::smoothedParticles::particleSimulation<dim>::model() const
+{
+    particleFlowModel<dim> result(properties_.template model<dim>());
+    result.contact.homes = bodies_.starts();
+    return result;
+}
+
 
 template<int dim>
 Foam::smoothedParticles::particleState<dim> Foam::smoothedParticles::particleSimulation<dim>::start()
