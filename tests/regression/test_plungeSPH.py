@@ -283,6 +283,51 @@ def test_stillTankBy(entries: Dict[str, str], tmp_path: Path) -> None:
     assert table(run, "energy")["max_speed_m_s"][25:].max() < 0.01*np.sqrt(GRAVITY*0.5)
 
 
+def test_contact(dam: Path) -> None:
+    """Springs at the walls in place of particles: the front of the dam break is that with particles to 3 %, nothing leaks in
+    0.5 s, energy only falls."""
+    run = case("damBreakParticles", dam.parent / "contact",
+               {"geometry/spacing": 0.01, "precision": "double", "contact": "{ stiffness node; factor 0.1; }"},
+               endTime=0.5, writeInterval=0.1, purgeWrite=0)
+    output = foam("plungeSPH", "-threads", 1, case=run)
+    assert "450 of the fluid, 0 of walls" in output
+    for index in (1, 2):
+        front, expected = (shown["x"][shown["wall"] < 0, 0].max() for shown in (particles(run, index), particles(dam, index)))
+        assert front == pytest.approx(expected, rel=0.03)
+    for index in range(6):
+        x, y = particles(run, index)["x"][:, :2].T
+        assert len(x) == 450 and x.min() > 0 and x.max() < 0.6 and y.min() > 0
+    energy = table(run, "energy")
+    assert energy["contact_J"].max() > 0
+    total = energy["kinetic_J"] + energy["potential_J"] + energy["internal_J"] + energy["contact_J"]
+    assert np.diff(total).max() < 1e-3*energy["potential_J"][0]
+    assert "contact_J" not in table(dam, "energy").dtype.names
+    # The weight, but for what still falls
+    assert table(run, "walls")["tank_Fy_N_m"][0] == 0
+    assert -table(run, "walls")["tank_Fy_N_m"].mean() == pytest.approx(WATER*GRAVITY*0.15*0.3, rel=0.3)
+
+
+def test_contactRestart(tmp_path: Path) -> None:
+    """With bodies, stopped and restarted is not stopped; both bodies feel the liquid, and what they feel is in both tables."""
+    entries = {"contact": "{ stiffness node; factor 0.1; maxDepth 2; }", "precision": "double", "bodies/wedge_1/velocity": "(0 0 -1.5)"}
+    run = bodyCase(tmp_path / "whole", entries, endTime=0.16, writeInterval=0.08, purgeWrite=0)
+    foam("plungeSPH", "-threads", 1, case=run)
+    twin = copy(run, "restarted")
+    for old in ("0.16", "postProcessing"):
+        shutil.rmtree(twin / old)
+    foam("plungeSPH", "-threads", 2, case=twin)
+    whole, again = (checkpoint(directory, "0.16", 3) for directory in (run, twin))
+    np.testing.assert_array_equal(whole[0], again[0])
+    for name in ("float", "wedge_1"):
+        path = np.genfromtxt(run / "postProcessing" / f"trajectory_{name}" / "0" / "trajectory.csv", delimiter=",", names=True)
+        after = np.genfromtxt(twin / "postProcessing" / f"trajectory_{name}" / "0.08" / "trajectory.csv", delimiter=",", names=True)
+        assert after[-1] == path[-1]
+        walls = table(run, "walls")
+        assert path["Fpz_N"].max() > 1, name
+        assert walls[f"{name}_Fz_N"][-1] == pytest.approx(path["Fpz_N"][-1])
+        assert (path["Fvz_N"] == 0).all()
+
+
 MISTAKES = {
     "unknown entry": (("smothingLength", "1.5"), ("smothingLength", "smoothingLength")),
     "dimensions": (("dimensions", "4"), ("dimensions", "4", "2 or 3")),
@@ -297,14 +342,78 @@ MISTAKES = {
     "speed of sound of an unknown liquid": (("speedOfSound", "{ liquid yes; }"), ("liquid", "composition")),
     "unknown entry of shifting": (("shifting", "{ strength 2; }"), ("strength", "coefficient")),
     "a gas": (("liquid", "{ fluid titanAir; }"), ("titanAir", "liquid")),
+    "friction in contact": (("walls", "noSlip"), ("walls", "noSlip", "slip"), {"contact": "{ stiffness node; factor 0.1; }"}),
+    "contact without stiffness": (("contact", "{ factor 0.1; }"), ("contact", "stiffness")),
+    "contact of unknown stiffness": (("contact", "{ stiffness soft; factor 0.1; }"), ("soft", "node")),
+    "contact without factor": (("contact", "{ stiffness node; }"), ("contact", "factor")),
+    "contact of a segment without material": (("contact", "{ stiffness segment; factor 0.1; }"), ("contact", "bulkModulus")),
+    "material without segments": (("contact", "{ stiffness node; factor 0.1; thickness 1; }"), ("thickness", "segment")),
+    "negative depth": (("contact", "{ stiffness node; factor 0.1; maxDepth -1; }"), ("maxDepth", "positive")),
     "probe off the plane": (("outputs/probes/half", "(0 0 1)"), ("half", "z = 0")),
 }
 
 
 @pytest.mark.parametrize("name", MISTAKES)
 def test_badInput(name: str, tmp_path: Path) -> None:
-    entry, named = MISTAKES[name]
-    checkRefused("plungeSPH", case("stillTank", tmp_path / "run", dict([entry])), ("particleProperties",) + named)
+    entry, named, *others = MISTAKES[name]
+    checkRefused("plungeSPH", case("stillTank", tmp_path / "run", dict([entry], **others[0] if others else {})),
+                 ("particleProperties",) + named)
+
+
+BODY = "mass 4; momentOfInertia (1 1 1); centreOfMass (0.2 0.25 0.4); solver { type symplectic; }"
+BODY_MISTAKES = {
+    "body that is no wall": ("bodies/rudder", "{ " + BODY + " }", ("rudder", "no wall", "wedge_1")),
+    "tank that moves": ("bodies/tank", "{ " + BODY + " }", ("tank", "cannot move", "solid")),
+    "mass of zero": ("bodies/float/mass", "0", ("float", "mass", "positive")),
+    "mass that is missing": ("bodies/float", "{ " + BODY.replace("mass 4;", "") + " }", ("float", "mass")),
+    "inertia of zero": ("bodies/float/momentOfInertia", "(0 1 1)", ("float", "momentOfInertia", "positive")),
+    "unknown entry of a body": ("bodies/float/weight", "3", ("float", "weight")),
+}
+
+
+@pytest.mark.parametrize("name", BODY_MISTAKES)
+def test_badBody(name: str, tmp_path: Path) -> None:
+    entry, value, named = BODY_MISTAKES[name]
+    checkRefused("plungeSPH", bodyCase(tmp_path / "run", {entry: value}), ("particleProperties",) + named)
+
+
+def leak(run: Path) -> None:
+    """Takes the last triangle away."""
+    text = (run / "wedge.stl").read_text()
+    (run / "wedge.stl").write_text(text[:text.rindex("facet normal")] + "endsolid wedge\n")
+
+
+@pytest.mark.parametrize("contact", [False, True], ids=["particles", "contact"])
+def test_badSurface(contact: bool, tmp_path: Path) -> None:
+    """A surface of a body that leaks, or is not there."""
+    entries = {"contact": "{ stiffness node; factor 0.1; }"} if contact else {}
+    run = bodyCase(tmp_path / "leaks", entries)
+    leak(run)
+    checkRefused("plungeSPH", run, ("particleProperties", "wedge.stl", "leaks", "watertight"))
+    run = bodyCase(tmp_path / "missing", entries)
+    (run / "wedge.stl").unlink()
+    checkRefused("plungeSPH", run, ("particleProperties", "file", "wedge.stl", "Expected"))
+
+
+@pytest.mark.parametrize("contact", [False, True], ids=["particles", "contact"])
+def test_bodyInFluid(contact: bool, tmp_path: Path) -> None:
+    """Fluid where a body is is left out, and counted in the log."""
+    run = bodyCase(tmp_path / "run", {
+        "geometry/fluid": "( { type box; min (0 0 0); max (1 0.5 0.5); } )",
+        **({"contact": "{ stiffness node; factor 0.1; }"} if contact else {})}, endTime=0.001, writeInterval=0.001)
+    output = foam("plungeSPH", "-threads", 1, case=run)
+    # The box takes 4 cells in each direction, the wedge's tip is at the surface
+    assert "fluid: 1936, removed 64 in or near walls" in output
+
+
+@pytest.mark.parametrize("contact", [False, True], ids=["particles", "contact"])
+def test_fastBody(contact: bool, tmp_path: Path) -> None:
+    """A body that is faster than the speed of sound bears is warned of at the start, and marked."""
+    entries = {"contact": "{ stiffness node; factor 0.1; }"} if contact else {}
+    run = bodyCase(tmp_path / "run", {"bodies/wedge_1/velocity": "(0 0 -10)", **entries}, endTime=0.002, writeInterval=0.002)
+    output = foam("plungeSPH", "-threads", 1, case=run)
+    assert output.index("c0 >= 10 v_max does not hold") < output.index("Starting time loop")
+    assert (table(run, "energy")["c0_at_least_10_max_speed_so_far"] == 0).all()
 
 
 def test_brokenState(dam: Path) -> None:

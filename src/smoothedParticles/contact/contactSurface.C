@@ -221,19 +221,12 @@ class triangleContact
     triSurfaceSearch search_;
     boundBox box_;
 
-    static fileName find(const dictionary& wall, const fileName& caseDirectory)
-    {
-        fileName file(wall.get<fileName>("file"));
-        file.expand();
-        return file.isAbsolute() ? file : caseDirectory/file;
-    }
-
 public:
 
     triangleContact(const dictionary& wall, const scalar spacing, const fileName& caseDirectory)
     :
         radius_(0.5*spacing),
-        surface_(find(wall, caseDirectory)),
+        surface_(surfaceFile(wall, caseDirectory)),
         search_(surface_),
         box_(surface_.points(), false)
     {

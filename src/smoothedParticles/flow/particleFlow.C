@@ -1000,6 +1000,11 @@ class flowIn
             message << ") m has a velocity, density or acceleration that is not a number at " << time_ << " s";
             throw std::runtime_error(message.str());
         }
+        for (const auto& b : bodies_)
+        {
+            // Without particles, too
+            speed2 = std::max(speed2, magSqr(b.second.now.velocity));
+        }
         maxSpeed_ = std::sqrt(speed2);
         maxAcceleration_ = std::sqrt(acceleration2);
     }

@@ -2,6 +2,8 @@
 
 #include "bodyVTK.H"
 
+#include "particleSetUp.H"
+
 #include "boundBox.H"
 #include "mathematicalConstants.H"
 #include "triSurface.H"
@@ -80,9 +82,7 @@ polygons box(const boundBox& bounds, const int dim)
 
 polygons surface(const dictionary& wall, const fileName& caseDirectory)
 {
-    fileName file(wall.get<fileName>("file"));
-    file.expand();
-    const triSurface triangles(file.isAbsolute() ? file : caseDirectory/file);
+    const triSurface triangles(surfaceFile(wall, caseDirectory));
     polygons result{triangles.points(), faceList(triangles.size())};
     forAll(triangles, i)
     {

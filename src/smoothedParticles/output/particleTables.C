@@ -69,10 +69,11 @@ Foam::smoothedParticles::particleTables<dim>::particleTables
         runTime,
         "energy",
         "energy",
-        std::string("time_s,kinetic_J,potential_J,internal_J,")
-      + (model.contact.isOn() ? "contact_J," : "")
-      + "max_speed_m_s,c0_at_least_10_max_speed_so_far"
-      + (model.energy ? ",internal_eq2_J,wall_layers_J,dissipated_J,work_of_walls_J,budget_J" : "")
+        (
+            std::string("time_s,kinetic_J,potential_J,internal_J,") + (model.contact.isOn() ? "contact_J," : "")
+          + "max_speed_m_s,c0_at_least_10_max_speed_so_far"
+          + (model.energy ? ",internal_eq2_J,wall_layers_J,dissipated_J,work_of_walls_J,budget_J" : "")
+        ).c_str()
     )
 {
     titan::checkKeywords(outputs, wordHashSet({"interval", "surfaceLevel", "gauges", "probes"}));
