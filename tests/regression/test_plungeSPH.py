@@ -168,18 +168,28 @@ def test_notFinite(tmp_path: Path) -> None:
         foam("plungeSPH", "-threads", 1, case=run)
 
 
-def bodyCase(directory: Path, entries: Dict[str, object] = {}, bodies: str = "", **control: object) -> Path:
-    """A tank with a box that floats and a surface that falls, in three dimensions."""
+def volume(shape: vtk.vtkPolyData) -> float:
+    triangles, properties = vtk.vtkTriangleFilter(), vtk.vtkMassProperties()
+    triangles.SetInputData(shape)
+    properties.SetInputConnection(triangles.GetOutputPort())
+    return properties.GetVolume()
+
+
+def bodyCase(directory: Path, entries: Dict[str, object] = {}, **control: object) -> Path:
+    """A tank with a box that floats, and a surface and a sphere that fall, in three dimensions."""
     run = case("damBreakParticles", directory, {
         "dimensions": 3, "geometry/spacing": 0.05, "outputs": "{ interval 0.01; }",
         "geometry/fluid": "( { type box; min (0 0 0); max (1 0.5 0.3); } )",
         "geometry/walls": "( { name tank; type box; min (0 0 0); max (1 0.5 1); open (top); }"
                           " { name float; type box; solid yes; min (0.1 0.15 0.3); max (0.3 0.35 0.5); }"
-                          " { name wedge_1; type surface; file wedge.stl; } )",
+                          " { name wedge_1; type surface; file wedge.stl; }"
+                          " { name ball; type sphere; centre (0.45 0.25 0.6); radius 0.1; } )",
         "bodies": "{ float { mass 4; momentOfInertia (0.03 0.03 0.03); centreOfMass (0.2 0.25 0.4);"
                   " solver { type symplectic; } }"
                   " wedge_1 { mass 6; momentOfInertia (0.05 0.05 0.05); centreOfMass (0.7 0.25 0.6);"
-                  " angularMomentum (0 0.02 0); solver { type symplectic; } } " + bodies + "}",
+                  " angularMomentum (0 0.02 0); solver { type symplectic; } }"
+                  " ball { mass 4; momentOfInertia (0.02 0.02 0.02); centreOfMass (0.45 0.25 0.6);"
+                  " solver { type symplectic; } } }",
         **entries}, **{"endTime": 0.04, "writeInterval": 0.02, **control})
     shutil.copyfile(run / "constant/g.3D", run / "constant/g")
     corners = np.array([(0.6, 0.15, 0.7), (0.8, 0.15, 0.7), (0.7, 0.15, 0.5), (0.6, 0.35, 0.7), (0.8, 0.35, 0.7), (0.7, 0.35, 0.5)])
@@ -196,12 +206,14 @@ def test_bodies(tmp_path: Path) -> None:
     foam("plungeSPH", "-threads", 1, case=run)
     setEntry(run, CONTROL, "endTime", 0.04)
     foam("plungeSPH", "-threads", 1, case=run)
-    for name, cells in (("float", 6), ("wedge_1", 8)):
+    for name, cells in (("float", 6), ("wedge_1", 8), ("ball", 2208)):
         path = np.concatenate([np.genfromtxt(run / "postProcessing" / f"trajectory_{name}" / start / "trajectory.csv",
                                              delimiter=",", names=True) for start in ("0", "0.02")])
         assert [entry["time"] for entry in json.loads((run / f"VTK/{name}.vtp.series").read_text())["files"]] == [0, 0.02, 0.04]
         shapes = [polyData(run, name, index) for index in range(3)]
         assert all(shape.GetNumberOfPolys() == cells for shape in shapes)
+        volumes = {"float": 0.2**3, "wedge_1": 0.2**3/2, "ball": 4/3*np.pi*0.1**3}
+        assert all(volume(shape) == pytest.approx(volumes[name], rel=0.01) for shape in shapes)
         corners = [vtk_to_numpy(shape.GetPoints().GetData()).astype(float) for shape in shapes]
         for index, time_ in enumerate((0, 0.02, 0.04)):
             line = path[np.argmin(np.abs(path["time_s"] - time_))]
@@ -211,7 +223,27 @@ def test_bodies(tmp_path: Path) -> None:
                                        np.linalg.norm(corners[0] - [path[0][f"{c}_m"] for c in "xyz"], axis=1), atol=1e-6)
         fallen = corners[2].mean(axis=0) - corners[0].mean(axis=0)
         assert fallen[2] < -0.25*GRAVITY*0.04**2 and np.abs(fallen[:2]).max() < 1e-3
-    assert np.ptp(np.sort(corners[2][:, 2])[-4:]) > 1e-3, "the wedge does not turn"
+        if name == "wedge_1":
+            assert np.ptp(np.sort(corners[2][:, 2])[-4:]) > 1e-3, "the wedge does not turn"
+
+
+@pytest.mark.parametrize("contact", [False, True], ids=["particles", "contact"])
+def test_circle(contact: bool, tmp_path: Path) -> None:
+    """In two dimensions a circle half as heavy as the liquid falls in, and stays in the liquid's plane."""
+    run = case("stillTank", tmp_path / "run", {
+        "geometry/walls": "( { name tank; type box; min (0 0 0); max (1 0.7 0); open (top); }"
+                          " { name log; type sphere; centre (0.5 0.6 0); radius 0.08; } )",
+        "bodies": f"{{ log {{ mass {0.5*WATER*np.pi*0.08**2}; momentOfInertia (0.1 0.1 0.1); centreOfMass (0.5 0.6 0);"
+                  " solver { type symplectic; } } }",
+        **({"contact": "{ stiffness node; factor 0.1; }"} if contact else {})}, endTime=0.3, writeInterval=0.1)
+    foam("plungeSPH", "-threads", 1, case=run)
+    shape = polyData(run, "log", 3)
+    points = vtk_to_numpy(shape.GetPoints().GetData())
+    assert shape.GetNumberOfPolys() == 1 and len(points) == 48 and (points[:, 2] == 0).all()
+    path = table(run, "trajectory")
+    np.testing.assert_allclose(points.mean(axis=0)[1], path["y_m"][-1], atol=1e-5)
+    # It is under water by a part, and bears less than its weight only while it falls
+    assert 0.42 < path["y_m"][-1] < 0.58 and path["Fpy_N"].max() > 0.5*WATER*np.pi*0.08**2*GRAVITY
 
 
 def formulation(run: Path) -> None:
@@ -342,6 +374,8 @@ MISTAKES = {
     "speed of sound of an unknown liquid": (("speedOfSound", "{ liquid yes; }"), ("liquid", "composition")),
     "unknown entry of shifting": (("shifting", "{ strength 2; }"), ("strength", "coefficient")),
     "a gas": (("liquid", "{ fluid titanAir; }"), ("titanAir", "liquid")),
+    "contact with an unknown wall": (("geometry/walls", "( { name tank; type cone; } )"), ("type", "cone", "sphere"),
+                                     {"contact": "{ stiffness node; factor 0.1; }"}),
     "friction in contact": (("walls", "noSlip"), ("walls", "noSlip", "slip"), {"contact": "{ stiffness node; factor 0.1; }"}),
     "contact without stiffness": (("contact", "{ factor 0.1; }"), ("contact", "stiffness")),
     "contact of unknown stiffness": (("contact", "{ stiffness soft; factor 0.1; }"), ("soft", "node")),
@@ -402,7 +436,7 @@ def test_bodyInFluid(contact: bool, tmp_path: Path) -> None:
         "geometry/fluid": "( { type box; min (0 0 0); max (1 0.5 0.5); } )",
         **({"contact": "{ stiffness node; factor 0.1; }"} if contact else {})}, endTime=0.001, writeInterval=0.001)
     output = foam("plungeSPH", "-threads", 1, case=run)
-    # The box takes 4 cells in each direction, the wedge's tip is at the surface
+    # The box takes 4 cells in each direction; the wedge's tip is at the surface, and so is the ball's lowest point
     assert "fluid: 1936, removed 64 in or near walls" in output
 
 

@@ -156,11 +156,14 @@ TEST(ContactSurface, triangles)
 {
     const fileName directory(fileName("contactSurface." + std::to_string(::getpid())));
     mkDir(directory);
+    // From the ground, and half below it, for the cut with z = 0
+    for (const char* name : {"cube.obj", "sunk.obj"})
     {
-        std::ofstream os(directory/"cube.obj");
+        std::ofstream os(directory/name);
+        const double lowest = name[0] == 's' ? -0.5 : 0;
         for (int i = 0; i < 8; ++i)
         {
-            os << "v " << (i & 1) << ' ' << (i >> 1 & 1) << ' ' << (i >> 2) << '\n';
+            os << "v " << (i & 1) << ' ' << (i >> 1 & 1) << ' ' << lowest + (i >> 2) << '\n';
         }
         // Normals as they come: orientation is not asked for
         for (const char* f : {"1 2 4", "1 4 3", "5 6 8", "5 8 7", "1 2 6", "1 6 5", "3 4 8", "3 8 7", "1 3 7", "1 7 5", "2 4 8", "2 8 6"})
@@ -170,6 +173,8 @@ TEST(ContactSurface, triangles)
     }
     const auto cube = surfaceOf("type surface; file cube.obj;", 3, spacing, directory);
     const auto box = surfaceOf("type box; solid yes; min (0 0 0); max (1 1 1);", 3);
+    const auto square = surfaceOf("type surface; file sunk.obj;", 2, spacing, directory);
+    const auto flat = surfaceOf("type box; solid yes; min (0 0 0); max (1 1 0);", 2);
     rmDir(directory);
 
     int nTouching = 0;
@@ -184,10 +189,15 @@ TEST(ContactSurface, triangles)
                 nTouching += touches;
                 expectTouch(*cube, point(x, y, z), touches ? t.depth : 0, t.normal);
             }
+            contactSurface::touching t;
+            const bool touches = flat->touch(point(x, y, 0), t);
+            expectTouch(*square, point(x, y, 0), touches ? t.depth : 0, t.normal);
         }
     }
     EXPECT_GT(nTouching, 1000);
     EXPECT_NEAR(cube->maxArea(), 0.5, 1e-12);
+    // The plane crosses each side's two triangles
+    EXPECT_NEAR(square->maxArea(), 0.5, 1e-12);
     EXPECT_NEAR(cube->reach(vector(0, 0, -1)), 0, 1e-12);
 }
 

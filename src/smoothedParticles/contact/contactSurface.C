@@ -2,14 +2,11 @@
 
 #include "contactSurface.H"
 
+#include "closedSurface.H"
 #include "particleSetUp.H"
 
 #include "boundBox.H"
-#include "orientedSurface.H"
 #include "Switch.H"
-#include "triSurface.H"
-#include "triSurfaceSearch.H"
-#include "triSurfaceTools.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -217,33 +214,30 @@ class triangleContact
     public contactSurface
 {
     const scalar radius_;
-    triSurface surface_;
-    triSurfaceSearch search_;
+    const closedSurface surface_;
+
+    //- Around all particles that touch
     boundBox box_;
+
+    //- Of segments [m2], by triangle
+    scalarField area_;
 
 public:
 
-    triangleContact(const dictionary& wall, const scalar spacing, const fileName& caseDirectory)
+    triangleContact(const dictionary& wall, const int dim, const scalar spacing, const fileName& caseDirectory)
     :
         radius_(0.5*spacing),
-        surface_(surfaceFile(wall, caseDirectory)),
-        search_(surface_),
-        box_(surface_.points(), false)
+        surface_(wall, caseDirectory, dim),
+        box_(surface_.bounds()),
+        area_(surface_.triangles().magFaceAreas())
     {
-        orientedSurface::orient(surface_, search_, box_.max() + box_.span(), true);
         box_.min() -= vector::uniform(radius_);
         box_.max() += vector::uniform(radius_);
-
-        // All that is made when it is first asked for, before there are threads
-        search_.tree();
-        surface_.faceNormals();
-        surface_.edgeFaces();
-        surface_.faceEdges();
-        surface_.pointEdges();
-        surface_.pointFaces();
-        surface_.localFaces();
-        surface_.localPoints();
-        surface_.edges();
+        if (dim == 2)
+        {
+            // A segment of the cut is two triangles
+            area_ *= 2/boundBox(surface_.triangles().points(), false).span().z();
+        }
     }
 
     bool touch(const point& p, touching& t) const
@@ -252,31 +246,30 @@ public:
         {
             return false;
         }
-        const pointIndexHit nearest(search_.tree().findNearest(p, GREAT));
-        const vector r(p - nearest.hitPoint());
-        const label i = nearest.index();
-        const scalar side = triSurfaceTools::surfaceSide(surface_, p, i) == triSurfaceTools::INSIDE ? -1 : 1;
-        const scalar distance = mag(r);
-        t.depth = radius_ - side*distance;
+        const closedSurface::foot foot(surface_.findNearest(p, GREAT));
         // On the surface itself there is no direction to it
-        t.normal = distance > SMALL*radius_ ? vector(side*r/distance) : surface_.faceNormals()[i];
-        t.area = surface_[i].mag(surface_.points());
+        t =
+        {
+            radius_ + foot.depth,
+            mag(foot.depth) > SMALL*radius_ ? vector((foot.x - p)/foot.depth) : surface_.triangles().faceNormals()[foot.triangle],
+            area_[foot.triangle]
+        };
         return t.depth > 0;
     }
 
     scalar maxArea() const
     {
-        scalar largest = 0;
-        for (const labelledTri& f : surface_)
-        {
-            largest = max(largest, f.mag(surface_.points()));
-        }
-        return largest;
+        return max(area_);
     }
 
     scalar reach(const vector& direction) const
     {
-        return max(surface_.points() & direction);
+        scalar result = -GREAT;
+        for (const point& p : surface_.triangles().points())
+        {
+            result = max(result, p & direction);
+        }
+        return result;
     }
 };
 
@@ -297,11 +290,17 @@ std::shared_ptr<const Foam::smoothedParticles::contactSurface> Foam::smoothedPar
     const word type(wall.get<word>("type"));
     if (type == "surface")
     {
-        return std::make_shared<triangleContact>(wall, spacing, caseDirectory);
+        return std::make_shared<triangleContact>(wall, dim, spacing, caseDirectory);
     }
     if (type == "sphere")
     {
         return std::make_shared<sphereContact>(wall, dim, spacing);
+    }
+    if (type != "box")
+    {
+        FatalIOErrorInFunction(wall)
+            << "Entry type is " << type << nl
+            << "Expected: box, sphere or surface." << exit(FatalIOError);
     }
     if (wall.lookupOrDefault<Switch>("solid", false))
     {

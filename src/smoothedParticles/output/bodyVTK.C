@@ -2,7 +2,7 @@
 
 #include "bodyVTK.H"
 
-#include "particleSetUp.H"
+#include "closedSurface.H"
 
 #include "boundBox.H"
 #include "mathematicalConstants.H"
@@ -14,9 +14,11 @@ namespace
 {
 
 using namespace Foam;
+using namespace Foam::smoothedParticles;
 
-//- Parts of a circle's circumference; a sphere has half as many from pole to pole
+//- Parts of a circle's circumference, and the angle of each; a sphere has half as many from pole to pole
 constexpr label nRound = 48;
+constexpr scalar part = constant::mathematical::twoPi/nRound;
 
 
 struct polygons
@@ -37,8 +39,8 @@ polygons circle(const point& centre, const scalar radius)
     polygons result{pointField(nRound), faceList(1, face(identity(nRound)))};
     forAll(result.points, i)
     {
-        const scalar halfTurn = constant::mathematical::pi;
-        result.points[i] = onSphere(centre, radius, halfTurn/2, i*2*halfTurn/nRound);
+        const scalar angle = i*part;
+        result.points[i] = centre + radius*vector(std::cos(angle), std::sin(angle), 0);
     }
     return result;
 }
@@ -46,7 +48,6 @@ polygons circle(const point& centre, const scalar radius)
 
 polygons sphere(const point& centre, const scalar radius)
 {
-    const scalar part = constant::mathematical::twoPi/nRound;
     DynamicList<point> points({centre + vector(0, 0, radius), centre - vector(0, 0, radius)});
     DynamicList<face> faces;
     const auto at = [](const label ring, const label i)

@@ -18,24 +18,6 @@ namespace
 using namespace Foam;
 using namespace Foam::smoothedParticles;
 
-fileName findFile(const dictionary& dict, const fileName& caseDirectory)
-{
-    fileName file(dict.get<fileName>("file"));
-    file.expand();
-    if (!file.isAbsolute())
-    {
-        file = caseDirectory/file;
-    }
-    if (!isFile(file))
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry file: there is no " << file << nl
-            << "Expected: a surface, relative to the case." << exit(FatalIOError);
-    }
-    return file;
-}
-
-
 //- Of the inside of triangles whose normals are outwards
 solidMeasures insideOf(const triSurface& surface)
 {
@@ -61,6 +43,26 @@ void addSector(solidMeasures& m, const point& a, const point& b)
 } // End anonymous namespace
 
 
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+Foam::fileName Foam::smoothedParticles::surfaceFile(const dictionary& dict, const fileName& caseDirectory)
+{
+    fileName file(dict.get<fileName>("file"));
+    file.expand();
+    if (!file.isAbsolute())
+    {
+        file = caseDirectory/file;
+    }
+    if (!isFile(file))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry file: there is no " << file << nl
+            << "Expected: a surface, relative to the case." << exit(FatalIOError);
+    }
+    return file;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::smoothedParticles::closedSurface::closedSurface
@@ -70,7 +72,7 @@ Foam::smoothedParticles::closedSurface::closedSurface
     const int dim
 )
 :
-    file_(findFile(dict, caseDirectory)),
+    file_(surfaceFile(dict, caseDirectory)),
     surface_(file_)
 {
     checkWatertight(dict);
@@ -88,6 +90,15 @@ Foam::smoothedParticles::closedSurface::closedSurface
         box_ = box;
     }
     tree_.reset(new triangleTree(surface_));
+
+    // All that triSurface makes when it is first asked for, before there are threads
+    surface_.faceNormals();
+    surface_.edges();
+    surface_.edgeFaces();
+    surface_.faceEdges();
+    surface_.pointEdges();
+    surface_.localFaces();
+    surface_.localPoints();
 }
 
 
@@ -201,6 +212,7 @@ Foam::smoothedParticles::closedSurface::foot Foam::smoothedParticles::closedSurf
     {
         result.found = true;
         result.x = nearest.x;
+        result.triangle = nearest.triangle;
         result.depth = mag(p - result.x);
         if (triSurfaceTools::surfaceSide(surface_, p, nearest.triangle) != triSurfaceTools::INSIDE)
         {
