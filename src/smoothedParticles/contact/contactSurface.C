@@ -16,12 +16,6 @@ namespace
 using namespace Foam;
 using namespace Foam::smoothedParticles;
 
-scalar farthest(const boundBox& box, const vector& direction)
-{
-    return cmptSum(max(cmptMultiply(direction, box.min()), cmptMultiply(direction, box.max())));
-}
-
-
 boundBox readBox(const dictionary& wall)
 {
     return boundBox(wall.get<point>("min"), wall.get<point>("max"));
@@ -122,11 +116,6 @@ public:
         }
         return depth > 0 && touched(radius_ - depth, -into/depth, t);
     }
-
-    scalar reach(const vector& direction) const
-    {
-        return farthest(box_, direction);
-    }
 };
 
 
@@ -171,11 +160,6 @@ public:
         }
         return touched(mag(beyond), beyond/mag(beyond), t);
     }
-
-    scalar reach(const vector& direction) const
-    {
-        return farthest(box_, direction);
-    }
 };
 
 
@@ -200,11 +184,6 @@ public:
         const vector r(p - centre_);
         const scalar distance = mag(r);
         return touched(distance - sphereRadius_, distance > 0 ? vector(r/distance) : vector(1, 0, 0), t);
-    }
-
-    scalar reach(const vector& direction) const
-    {
-        return (centre_ & direction) + sphereRadius_;
     }
 };
 
@@ -260,16 +239,6 @@ public:
     scalar maxArea() const
     {
         return max(area_);
-    }
-
-    scalar reach(const vector& direction) const
-    {
-        scalar result = -GREAT;
-        for (const point& p : surface_.triangles().points())
-        {
-            result = max(result, p & direction);
-        }
-        return result;
     }
 };
 

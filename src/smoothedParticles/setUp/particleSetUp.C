@@ -23,6 +23,10 @@ using namespace Foam::smoothedParticles;
 //- Particles nearer than this part of the spacing to one of a wall are removed. Round-off does not decide at the half.
 constexpr scalar nearest = 0.5*(1 - 1e-6);
 
+//- With contact, particles whose edge is deeper than this part of the spacing in a wall are removed. Stretched cells are not;
+//  from there a spring with a factor of 0.1 drives a particle to c0/24.
+constexpr scalar touching = 0.1;
+
 //- Cells by which a box may miss a multiple of the spacing
 constexpr scalar sizeTolerance = 1e-6;
 
@@ -842,7 +846,7 @@ Foam::smoothedParticles::particleState<dim> Foam::smoothedParticles::readParticl
             while
             (
                 wall < walls.size()
-             && !(contact ? model.contact.touches(wall, points[k], (0.5 - nearest)*grid.spacing) : walls[wall].occupies(points[k]))
+             && !(contact ? model.contact.touches(wall, points[k], touching*grid.spacing) : walls[wall].occupies(points[k]))
             )
             {
                 ++wall;
