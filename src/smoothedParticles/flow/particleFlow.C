@@ -680,7 +680,7 @@ class flowIn
             bodyLoads& loads = p.of->loads;
             loads.pressure += push;
             loads.viscous += friction;
-            loads.moment += (toVector(x_[p.now]) - p.of->now.centreOfMass) ^ (push + friction);
+            loads.moment += (toVector(x_[p.now]) - p.of->at.centreOfMass) ^ (push + friction);
         }
     }
 
@@ -871,7 +871,8 @@ class flowIn
                 {
                     x_[k][plane.axis] = 2*plane.at - x_[k][plane.axis];
                     v_[k][plane.axis] *= -1;
-                    a_[k][plane.axis] *= -1;
+                    // Gravity stays
+                    a_[k][plane.axis] = 2*model_.interaction.g[plane.axis] - a_[k][plane.axis];
                 }
             }
         }
@@ -1065,6 +1066,12 @@ public:
         {
             body& b = bodies_[motion.first];
             b.now = b.end = b.felt = b.at = motion.second;
+            if (!start.felt.empty())
+            {
+                const std::array<double, 6>& a = start.felt[bodies_.size() - 1];
+                b.felt.acceleration = Foam::vector(a[0], a[1], a[2]);
+                b.felt.angularAcceleration = Foam::vector(a[3], a[4], a[5]);
+            }
         }
         original_.resize(x_.size());
         for (std::size_t k = 0; k < x_.size(); ++k)
@@ -1207,6 +1214,12 @@ public:
                 s.heat[i] = heat_[k];
             }
         }
+        for (const auto& b : bodies_)
+        {
+            const Foam::vector& a = b.second.felt.acceleration;
+            const Foam::vector& alpha = b.second.felt.angularAcceleration;
+            s.felt.push_back({{a[0], a[1], a[2], alpha[0], alpha[1], alpha[2]}});
+        }
         return s;
     }
 
@@ -1348,6 +1361,31 @@ std::unique_ptr<Foam::smoothedParticles::particleFlow<dim>> Foam::smoothedPartic
             "state of the particles: expected as many velocities, densities, walls, and masses, accelerations and energies if"
             " any, as positions"
         );
+    }
+    if (start.felt.size() != moving.size() && !start.felt.empty())
+    {
+        throw std::invalid_argument
+        (
+            "state of the particles: accelerations of " + std::to_string(start.felt.size()) + " walls that move: expected "
+          + std::to_string(moving.size())
+        );
+    }
+    for (const symmetryPlane& a : model.symmetry)
+    {
+        for (const symmetryPlane* b = &a + 1; b != model.symmetry.data() + model.symmetry.size(); ++b)
+        {
+            // An image has no image in the plane that it comes from
+            const double least = supportRatio*m.h + skinRatio*model.spacing;
+            if (a.axis == b->axis && (a.side == b->side || !(a.side*(b->at - a.at) > least)))
+            {
+                refuse
+                (
+                    "distance of two planes of symmetry across one coordinate, on either side of the particles",
+                    a.side == b->side ? 0 : a.side*(b->at - a.at),
+                    ("more than the reach of a particle, " + std::to_string(least)).c_str()
+                );
+            }
+        }
     }
     for (std::size_t k = 0; k < n; ++k)
     {

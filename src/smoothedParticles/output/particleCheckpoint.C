@@ -47,17 +47,20 @@ void forArrays(State& state, const What& what)
     what(state.energy);
     what(state.heat);
     what(state.bodies);
+    what(state.felt);
 }
 
 
 template<int dim>
-std::string header(std::size_t n, std::size_t nBodies, bool energies, double time, double spacing, double rho0)
+std::string header(const particleState<dim>& state, double spacing, double rho0)
 {
     std::ostringstream os;
     os  << std::setprecision(17)
-        << "plungeSPH particles: x v a [float64 dimensions], density - rho0, mass, pressure [float64], wall [int32, -1 fluid], energy, heat, bodies [float64]\n"
-        << "dimensions " << dim << "\nparticles " << n << "\nenergies " << energies << "\nbodies " << nBodies << "\nspacing " << spacing << "\nrho0 " << rho0
-        << "\ntime " << time << "\n\n";
+        << "plungeSPH particles: x v a [float64 dimensions], density - rho0, mass, pressure [float64], wall [int32, -1 fluid],"
+        << " energy, heat, bodies, felt [float64]\n"
+        << "dimensions " << dim << "\nparticles " << state.size() << "\nenergies " << !state.energy.empty()
+        << "\nbodies " << state.bodies.size() << "\nfelt " << state.felt.size()
+        << "\nspacing " << spacing << "\nrho0 " << rho0 << "\ntime " << state.time << "\n\n";
     return os.str();
 }
 
@@ -131,7 +134,7 @@ void Foam::smoothedParticles::writeCheckpoint
         refuseSystem(part);
     }
     std::ofstream os(file, std::ios::binary);
-    const std::string text(header<dim>(state.size(), state.bodies.size(), !state.energy.empty(), state.time, spacing, rho0));
+    const std::string text(header<dim>(state, spacing, rho0));
     os.write(text.data(), text.size());
     forArrays
     (
@@ -188,9 +191,11 @@ Foam::smoothedParticles::particleState<dim> Foam::smoothedParticles::readCheckpo
     const std::size_t n = value<std::size_t>(file, text, "particles");
     const std::size_t nBodies = value<std::size_t>(file, text, "bodies");
     const std::size_t nEnergies = n*value<bool>(file, text, "energies");
+    const std::size_t nMoving = value<std::size_t>(file, text, "felt");
     const std::streamoff start = is.tellg();
     is.seekg(0, std::ios::end);
-    const std::streamoff bytes = n*((3*dim + 3)*sizeof(double) + sizeof(std::int32_t)) + (2*nEnergies + nBodies)*sizeof(double);
+    const std::streamoff bytes =
+        n*((3*dim + 3)*sizeof(double) + sizeof(std::int32_t)) + (2*nEnergies + nBodies + 6*nMoving)*sizeof(double);
     if (is.tellg() - start != bytes)
     {
         std::ostringstream os;
@@ -203,8 +208,14 @@ Foam::smoothedParticles::particleState<dim> Foam::smoothedParticles::readCheckpo
         state,
         [&](auto& array)
         {
-            const void* one = &array;
-            array.resize(one == &state.bodies ? nBodies : one == &state.energy || one == &state.heat ? nEnergies : n);
+            const void* const one = &array;
+            array.resize
+            (
+                one == &state.bodies ? nBodies
+              : one == &state.felt ? nMoving
+              : one == &state.energy || one == &state.heat ? nEnergies
+              : n
+            );
             is.read(reinterpret_cast<char*>(array.data()), array.size()*sizeof(array[0]));
         }
     );
