@@ -3,11 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "particleFlow.H"
+#include "particleScenes.H"
 #include "particleShifting.H"
 #include "smoothingKernels.H"
 
-#include <atomic>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -16,14 +15,12 @@
 #include <stdexcept>
 
 using namespace Foam::smoothedParticles;
+using namespace Foam::smoothedParticles::test;
 using Foam::bodyState;
 
 // * * * * * * * * * * * * * * *  Allocations  * * * * * * * * * * * * * * * //
 
-namespace
-{
-    std::atomic<long> nAllocations(0);
-}
+std::atomic<long> Foam::smoothedParticles::test::nAllocations(0);
 
 void* operator new(std::size_t n)
 {
@@ -50,72 +47,16 @@ void operator delete(void* p, std::size_t) noexcept
 namespace
 {
 
-constexpr double rho0 = 1000;
-constexpr double g = 9.81;
-
-
-template<int dim>
-particleFlowModel<dim> modelOf(double spacing, double c0)
-{
-    particleFlowModel<dim> m;
-    m.spacing = spacing;
-    m.rho0 = rho0;
-    m.interaction.h = 2*spacing;
-    m.interaction.c0 = c0;
-    m.interaction.viscosity = viscosityType::artificial;
-    m.interaction.alpha = 0.02;
-    m.interaction.diffusion = diffusionType::Fourtakas;
-    m.interaction.delta = 0.1;
-    m.singlePrecision = false;
-    return m;
-}
-
-
-//- A block of particles
-template<int dim>
-void addBlock
-(
-    particleState<dim>& s,
-    double spacing,
-    const std::array<double, dim>& corner,
-    const std::array<int, dim>& n,
-    const std::array<double, dim>& velocity
-)
-{
-    const int layers = dim == 3 ? n[dim - 1] : 1;
-    for (int i = 0; i < n[0]; ++i)
-    {
-        for (int j = 0; j < n[1]; ++j)
-        {
-            for (int k = 0; k < layers; ++k)
-            {
-                const int at[] = {i, j, k};
-                std::array<double, dim> x;
-                for (int d = 0; d < dim; ++d)
-                {
-                    x[d] = corner[d] + (at[d] + 0.5)*spacing;
-                }
-                s.x.push_back(x);
-                s.v.push_back(velocity);
-                s.density.push_back(0);
-                s.wall.push_back(particleState<dim>::fluid);
-            }
-        }
-    }
-}
-
-
 //- A square tank of side 1 full of liquid at rest, in which the pressure is hydrostatic; walls 0 (floor) and 1 (sides)
 particleState<2> tank(int n, double c0)
 {
     constexpr int layers = 4;
     const double spacing = 1.0/n;
-    const double B = rho0*c0*c0/7;
     particleState<2> s;
     addBlock<2>(s, spacing, {{0, 0}}, {{n, n}}, {{0, 0}});
     for (std::size_t k = 0; k < s.size(); ++k)
     {
-        s.density[k] = rho0*(std::pow(1 + rho0*g*(1 - s.x[k][1])/B, 1.0/7) - 1);
+        s.density[k] = densityOf(rho0*g*(1 - s.x[k][1]), c0);
     }
     for (int i = -layers; i < n + layers; ++i)
     {
@@ -125,10 +66,7 @@ particleState<2> tank(int n, double c0)
             {
                 continue;
             }
-            s.x.push_back({{(i + 0.5)*spacing, (j + 0.5)*spacing}});
-            s.v.push_back({{0, 0}});
-            s.density.push_back(0);
-            s.wall.push_back(j < 0 ? 0 : 1);
+            addParticle<2>(s, {{(i + 0.5)*spacing, (j + 0.5)*spacing}}, {{0, 0}}, 0, j < 0 ? 0 : 1);
         }
     }
     return s;
@@ -142,16 +80,6 @@ particleState<2> collision()
     addBlock<2>(s, 0.01, {{0, 0}}, {{12, 12}}, {{1, 0.3}});
     addBlock<2>(s, 0.01, {{0.14, 0.03}}, {{8, 16}}, {{-0.5, 0}});
     return s;
-}
-
-
-template<int dim>
-void run(particleFlow<dim>& flow, double end)
-{
-    while (flow.time() < end)
-    {
-        flow.advance(std::min(flow.stableTimeStep(), end - flow.time()));
-    }
 }
 
 

@@ -5,12 +5,40 @@
 
 #include "smoothingKernels.H"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 using namespace Foam::smoothedParticles;
 
 namespace
 {
+
+//- On a lattice of spacing h/2: the error of sum V W = 1 and of sum V x dW/dx = -1, which makes gradients of linear fields exact
+template<class Kernel>
+std::array<double, 2> latticeErrors(int dim)
+{
+    constexpr double spacing = 0.5;
+    constexpr int n = 4;
+    double one = 0;
+    double gradient = 0;
+    for (int i = -n; i <= n; ++i)
+    {
+        for (int j = -n; j <= n; ++j)
+        {
+            for (int k = dim == 3 ? -n : 0; k <= (dim == 3 ? n : 0); ++k)
+            {
+                const double q = std::min(spacing*std::sqrt(double(i*i + j*j + k*k)), supportRatio);
+                const double x = i*spacing;
+                one += Kernel::template w<double>(q);
+                gradient += x*x*Kernel::template f<double>(q);
+            }
+        }
+    }
+    const double scale = Kernel::normalisation(dim)*std::pow(spacing, dim);
+    return {{scale*one - 1, scale*gradient + 1}};
+}
+
 
 //- Integral of alpha w(q) over the plane or space, at h = 1, by the midpoint rule
 template<class Kernel>
@@ -34,6 +62,9 @@ void checkKernel()
     for (const int dim : {2, 3})
     {
         EXPECT_NEAR(integral<Kernel>(dim), 1, 1e-9) << dim;
+        const std::array<double, 2> errors = latticeErrors<Kernel>(dim);
+        EXPECT_LT(std::abs(errors[0]), 2e-3) << dim;
+        EXPECT_LT(std::abs(errors[1]), 2e-3) << dim;
     }
 
     // f is dw/dq/q, all end smoothly at the edge of the support
