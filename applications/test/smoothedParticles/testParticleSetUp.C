@@ -350,6 +350,23 @@ TEST(particleSetUp, overlappingFluidCountsOnce)
 }
 
 
+//- Neither the rows beyond it nor the row on it, which would be its own image
+TEST(particleSetUp, nothingIsBeyondAPlaneOfSymmetry)
+{
+    const dictionary whole(parsed("spacing 0.1; fluid ({ type box; min (0 -0.25 0); max (1 0.25 0); });"));
+    particleFlowModel<2> model(liquid<2>());
+    EXPECT_EQ(readParticles<2>(whole, model, ".").size(), 50u);
+    model.symmetry = {{1, 0, 1}};
+    const particleState<2> half(readParticles<2>(whole, model, "."));
+    EXPECT_EQ(half.size(), 20u);
+    EXPECT_TRUE(std::all_of(half.x.begin(), half.x.end(), [](const std::array<double, 2>& x){ return x[1] > 0.05; }));
+    model.symmetry = {{0, 0.6, -1}};
+    const particleState<2> left(readParticles<2>(whole, model, "."));
+    EXPECT_EQ(left.size(), 30u);
+    EXPECT_TRUE(std::all_of(left.x.begin(), left.x.end(), [](const std::array<double, 2>& x){ return x[0] < 0.6; }));
+}
+
+
 TEST(particleSetUp, wallNames)
 {
     const dictionary dict(parsed("walls ({ name b; } { name a; });"));

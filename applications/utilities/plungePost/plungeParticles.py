@@ -89,18 +89,22 @@ class Case:
         first, final = bounds[chosen[0]], bounds[chosen[-1]]
         speed = np.linalg.norm((final - first)[::2]) / max(times[chosen[-1]] - times[chosen[0]], 1e-300)
 
+        # Of a body that is still in the air, its lower half
+        length = float(np.linalg.norm(first[1::2] - first[::2]))
+        middle = 0.5 * (min(first[0], final[0]) + max(first[1], final[1]))
+        x_limits = (middle - 0.45 * length, middle + 0.45 * length)
+        z_limits = (min(final[4], first[4]) - 0.15 * length, 0.5 * length)
+
         rows = -(-len(chosen) // COLUMNS)
-        figure, axes = plt.subplots(rows, COLUMNS, figsize=(9.5, 0.3 + 5.4 * rows), sharex=True, sharey=True, squeeze=False,
+        height = 2.7 * np.diff(z_limits)[0] / np.diff(x_limits)[0] + 0.3
+        figure, axes = plt.subplots(rows, COLUMNS, figsize=(9.5, 0.8 + height * rows), sharex=True, sharey=True, squeeze=False,
                                     constrained_layout=True)
+        axes[0, 0].set(xlim=x_limits, ylim=z_limits)
         figure.suptitle(f"{title}\nliquid within a spacing of y = 0", fontsize=10)
         for ax in axes.flat[len(chosen):]:
             ax.set_axis_off()
         for ax, instant in zip(axes.flat, chosen):
             dots = self.draw(ax, instant, max(FAST * speed, 1e-300))
-        # The upper part of a body that is still in the air shows nothing
-        middle, length = 0.5 * (min(first[0], final[0]) + max(first[1], final[1])), float(np.linalg.norm((first[1::2] - first[::2])))
-        axes[0, 0].set_xlim(middle - 0.45 * length, middle + 0.45 * length)
-        axes[0, 0].set_ylim(min(final[4], first[4]) - 0.15 * length, 0.5 * length)
         for ax in axes[-1]:
             ax.set_xlabel("x [m]")
         for ax in axes[:, 0]:
