@@ -803,14 +803,6 @@ Foam::smoothedParticles::particleState<dim> Foam::smoothedParticles::readParticl
         const point& x, const vector& v, scalar volume, scalar density, scalar pressure, label wall
     )
     {
-        for (const symmetryPlane& plane : model.symmetry)
-        {
-            // Images take the place of what is beyond; what is on the plane would be its own image
-            if (plane.distance(x) < sizeTolerance*grid.spacing)
-            {
-                return;
-            }
-        }
         state.x.push_back(toArray<dim>(x));
         state.v.push_back(toArray<dim>(v));
         state.density.push_back(density);
