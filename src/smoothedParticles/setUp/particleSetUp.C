@@ -249,7 +249,7 @@ public:
             {
                 ++nRemoved;
             }
-            else if (isOnNearSide(all.x[k], grid_.symmetry))
+            else if (isOnNearSide(all.x[k], grid_.symmetry, sizeTolerance*grid_.spacing))
             {
                 kept.append(all.x[k]);
                 volume.append(all.volume[k]);
@@ -852,7 +852,7 @@ Foam::smoothedParticles::particleState<dim> Foam::smoothedParticles::readParticl
             {
                 ++nInFluid;
             }
-            else if (isOnNearSide(points[k], grid.symmetry))
+            else if (isOnNearSide(points[k], grid.symmetry, sizeTolerance*grid.spacing))
             {
                 append
                 (
