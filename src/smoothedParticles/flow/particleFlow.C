@@ -480,9 +480,15 @@ class flowIn
         {
             if (!isFluid(k))
             {
-                density_[k] = state_.density(packed_.wallPressure[place_[k]]);
+                density_[k] = state_.density(wallPressure(place_[k]));
             }
         }
+    }
+
+    //- Extrapolated, as far as walls hold the liquid [Pa]
+    double wallPressure(std::size_t place) const
+    {
+        return std::max<double>(packed_.wallPressure[place], -model_.wallTension);
     }
 
     //- The same, of the packed walls alone
@@ -513,7 +519,7 @@ class flowIn
                 continue;
             }
             const std::size_t i = place_[k];
-            const double p = packed_.wallPressure[i];
+            const double p = wallPressure(i);
             packed_(i, fields::density) = state_.density(p);
             packed_(i, fields::pressure) = p;
             for (int d = 0; d < dim; ++d)
@@ -1339,6 +1345,7 @@ std::unique_ptr<Foam::smoothedParticles::particleFlow<dim>> Foam::smoothedPartic
     checkNotNegative("delta", m.delta);
     checkNotNegative("acousticDamper", m.acousticDamper);
     checkNotNegative("shifting", model.shifting);
+    checkNotNegative("wallTension", model.wallTension);
     checkPositive("number of threads", nThreads);
     if (!(m.gamma > 1) || !std::isfinite(m.gamma))
     {

@@ -373,7 +373,7 @@ Foam::smoothedParticles::particleProperties::particleProperties(const Time& runT
         ({
             "FoamFile", "dimensions", "kernel", "smoothingLength", "viscosity", "alpha", "densityDiffusion", "delta",
             "walls", "precision", "timeStepping", "Courant", "liquid", "speedOfSound", "geometry", "bodies", "symmetry",
-            "absorption", "contact", "momentum", "beta", "acousticDamper", "outputs", "neighbours", "shifting", "energy"
+            "absorption", "contact", "momentum", "beta", "acousticDamper", "wallTension", "outputs", "neighbours", "shifting", "energy"
         })
     );
     if (dimensions_ != 2 && dimensions_ != 3)
@@ -425,6 +425,7 @@ Foam::smoothedParticles::particleProperties::particleProperties(const Time& runT
         titan::checkKeywords(shifting, wordHashSet({"coefficient"}));
         common_.shifting = positive(shifting, "coefficient", shifting.lookupOrDefault<scalar>("coefficient", 2));
     }
+    common_.wallTension = dict_.found("wallTension") ? readPositive(dict_, "wallTension") : 0;
     common_.energy = dict_.lookupOrDefault<bool>("energy", false);
     m.noSlip = wallNames.get("walls", dict_);
     readLiquid(dict_.subDict("liquid"));
@@ -465,6 +466,7 @@ Foam::smoothedParticles::particleFlowModel<dim> Foam::smoothedParticles::particl
     result.Courant = common_.Courant;
     result.symmetry = common_.symmetry;
     result.absorption = common_.absorption;
+    result.wallTension = common_.wallTension;
     result.shifting = common_.shifting;
     result.energy = common_.energy;
     result.contact = common_.contact;
