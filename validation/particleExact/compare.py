@@ -45,7 +45,7 @@ def solve(name: str, spacing: float, c0: float, fluid: np.ndarray, velocity: np.
     unused = ["alpha"] if "delta" in entries else ["alpha", "delta"]
     properties.write_text("".join(line for line in properties.read_text().splitlines(True)
                                   if not line.split() or line.split()[0] not in unused))
-    header = f"\ndimensions 2\nparticles {len(x)}\nbodies 0\nfelt 0\nspacing {spacing!r}\nrho0 {RHO}\ntime 0\n\n"
+    header = f"\ndimensions 2\nparticles {len(x)}\nenergies 0\nbodies 0\nfelt 0\nspacing {spacing!r}\nrho0 {RHO}\ntime 0\n\n"
     (run / "0").mkdir()
     with (run / "0/particles").open("wb") as file:
         file.write(b"plungeSPH particles" + header.encode())
