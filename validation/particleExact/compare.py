@@ -158,8 +158,6 @@ def main() -> None:
         nu = 0.01
         frequency, decay, _, cpu = wave(n, nu)
         rows.append(judge(f"standing wave, viscous, {n} particles deep: decay over 2 nu k^2", decay/(2*nu*np.pi**2), "-", 1, 0.1, cpu))
-        rows.append(Row(f"standing wave, viscous, {n} particles deep: decay over nu k^2, which the velocity's Laplacian alone takes",
-                        decay/(nu*np.pi**2), "-", cpu_s=cpu))
     write(FOLDER / "result.csv", rows)
     show(rows)
 

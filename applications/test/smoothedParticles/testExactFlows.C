@@ -26,6 +26,9 @@ double TaylorGreenError(int n, double Re, bool singlePrecision)
     constexpr double c0 = 15;
     const double spacing = 1.0/n;
     particleFlowModel<2> m = idealModel<2>(spacing, c0);
+    // The strain is along the lattice everywhere, where the sum of friction misses its mean over all directions most: with
+    // h/spacing 2 the decay is a tenth too fast
+    m.interaction.h = 3*spacing;
     m.interaction.viscosity = viscosityType::laminar;
     m.interaction.mu = rho0/Re;
     m.interaction.diffusion = diffusionType::Molteni;
@@ -318,10 +321,7 @@ void checkMomentum()
                 {
                     EXPECT_NEAR(momentum<dim>(end)[d], momentum<dim>(start)[d], 1e-12*scale) << what;
                 }
-                if (viscosity != viscosityType::laminar)
-                {
-                    EXPECT_NEAR(angularMomentum<dim>(end), angularMomentum<dim>(start), 1e-13*scale) << what;
-                }
+                EXPECT_NEAR(angularMomentum<dim>(end), angularMomentum<dim>(start), 1e-13*scale) << what;
                 EXPECT_LT(flow->energy().kinetic, 0.995*kinetic) << what;
             }
         }
@@ -393,15 +393,13 @@ TEST(ExactFlows, drop)
 }
 
 
-// omega^2 = g k tanh(k d). The wave decays as exp(-2 nu k^2 t) (Lamb, Hydrodynamics, art. 348), the velocity's Laplacian alone,
-// which Morris' friction is, takes half of it: the flow has a potential, so that its Laplacian is zero, and what a free
-// surface without shear adds is missing (Colagrossi, Souto-Iglesias, Antuono and Marrone, Phys. Rev. E 87 (2013) 023302).
+// omega^2 = g k tanh(k d). The wave decays as exp(-2 nu k^2 t) (Lamb, Hydrodynamics, art. 348)
 TEST(ExactFlows, standingWave)
 {
     constexpr double nu = 0.01;
     const wave w = standingWave(12, 0.5, nu);
     EXPECT_NEAR(w.frequency/std::sqrt(g*pi*std::tanh(0.5*pi)), 1, 0.01);
-    EXPECT_NEAR(w.decay/(nu*pi*pi), 1, 0.1);
+    EXPECT_NEAR(w.decay/(2*nu*pi*pi), 1, 0.1);
 }
 
 

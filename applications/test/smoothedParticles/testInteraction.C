@@ -230,6 +230,10 @@ std::array<double, dim + 1> rates
             const double mu = m.h*approach/regular;
             stress += 0.5*(rho + rhoJ)*(-m.alpha*m.c0*mu + m.beta*mu*mu);
         }
+        if (m.viscosity == viscosityType::laminar)
+        {
+            stress -= 2*(dim + 2)*m.mu*approach/regular;
+        }
         if (m.viscosity == viscosityType::Riemann && approach < 0)
         {
             const double closing = -approach/r;
@@ -238,10 +242,6 @@ std::array<double, dim + 1> rates
         for (int d = 0; d < dim; ++d)
         {
             sum[1 + d] -= VF*stress*(c.x[i][d] - c.x[j][d])/rho;
-            if (m.viscosity == viscosityType::laminar)
-            {
-                sum[1 + d] += 2*m.mu*VF*r2/regular*(c.v[i][d] - c.v[j][d])/rho;
-            }
         }
     }
     return sum;

@@ -6,6 +6,9 @@
 #pragma GCC optimize("no-math-errno", "no-trapping-math")
 #define plungeAVX512
 
+// Of g++ 12's own header of the instructions
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+
 #include "interaction.H"
 #include "particleShifting.H"
 #include "smoothingKernels.H"
