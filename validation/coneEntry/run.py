@@ -9,7 +9,7 @@ FOLDER = Path(__file__).resolve().parent
 sys.path.insert(0, str(FOLDER.parent))
 from particleRuns import REPOSITORY, solve  # noqa: E402
 
-DEFAULT = ("45:0.003", "45:0.002", "12:0.003")
+DEFAULT = ("45:0.003", "45:0.002", "45:0.0013", "12:0.003")
 
 
 def main() -> None:
