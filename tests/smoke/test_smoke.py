@@ -19,9 +19,13 @@ CASES = {
 PARTICLES = [("stillTank", ()), ("damBreakParticles", ()), ("damBreakParticles", ("-dimensions", 3)),
              ("yehPetroff", ("-spacing", 0.02)), ("kleefsman", ("-spacing", 0.055))]
 
+# Those with a body that falls into the liquid: options, and the diameter over the speed at contact [s].
+FALLING = [("fallingCylinder", ("-spacing", 0.011), 0.11/2.955), ("fallingCone", ("-spacing", 0.0065), 0.052/3.132),
+           ("fallingCone", ("-spacing", 0.0065, "-angle", 25, "-drop", 1), 0.052/4.429)]
+
 
 def test_all_cases_run() -> None:
-    assert {path.parent.name for path in REPOSITORY.glob("cases/*/Allrun")} == {*CASES, *(case for case, _ in PARTICLES)}
+    assert {path.parent.name for path in REPOSITORY.glob("cases/*/Allrun")} == {*CASES, *(case for case, *_ in PARTICLES + FALLING)}
 
 
 @pytest.mark.parametrize("ranks", [1, 2])
@@ -46,6 +50,17 @@ def test_particles(case: str, options: Tuple[object, ...], threads: int, tmp_pat
     energy = np.genfromtxt(run / "postProcessing/energy/0/energy.csv", delimiter=",", names=True)
     assert energy["time_s"][-1] > 0.015 and 1e-4 < energy["max_speed_m_s"][-1] < 1
     assert (run / "VTK/particles.vtp.series").exists()
+
+
+@pytest.mark.parametrize("case, options, time", FALLING)
+def test_fallingBodies(case: str, options: Tuple[object, ...], time: float, tmp_path: Path) -> None:
+    """As its Allrun sets it up, coarse: the body meets the liquid at time 0, and falls slower than freely from there on."""
+    run = tmp_path / "run"
+    foam(REPOSITORY / "cases" / case / "Allrun", *options, "-run", run, "-endTime", 0.5*time, "-threads", 1, case=tmp_path)
+    assert re.search(r"^End$", (run / "log.plungeSPH").read_text(), re.MULTILINE)
+    fall = np.genfromtxt(run / "postProcessing/trajectory/0/trajectory.csv", delimiter=",", names=True)
+    assert abs(fall["penetration_m"][0]) < 0.005 and fall["penetration_m"][-1] > 0.3*fall["speed_m_s"][0]*time
+    assert 0.5*fall["speed_m_s"][0] < fall["speed_m_s"][-1] < fall["speed_m_s"][0] + 0.8*9.81*fall["time_s"][-1]
 
 
 @pytest.mark.parametrize("model", ["half", "full"])
