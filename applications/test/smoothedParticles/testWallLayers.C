@@ -439,7 +439,8 @@ TEST_F(wallLayers, ofAQuarter)
             whole.volume.append(quarter.volume[i]);
         }
     }
-    EXPECT_GT(distances(whole.x).first, 0.6*spacing);
+    EXPECT_GT(distances(whole.x).first, 0.7*spacing);
+    EXPECT_NEAR(whole.x.size()*pow3(spacing)/(4*M_PI/3*(1 - 0.343)), 1, 0.08);
     const double exact = shellSum(0.5*spacing, spacing);
     double square = 0;
     constexpr int n = 50;
