@@ -301,6 +301,7 @@ TEST_F(wallLayers, ofASurfaceConverge)
     write(corners(1), octahedron);
     const autoPtr<closedSurface> body(surface(3));
     EXPECT_NEAR(body->measures().volume, 4.0/3, 1e-6);
+    EXPECT_NEAR(body->area(), 4*std::sqrt(3.0), 1e-6);
     EXPECT_LT(mag(body->measures().centroid()), 1e-6);
     EXPECT_NEAR(body->measures().inertia().xx(), 4.0/3/5, 1e-6);
 
@@ -339,6 +340,7 @@ TEST_F(wallLayers, ofACut)
     const autoPtr<closedSurface> square(surface(2));
     EXPECT_NEAR(square->measures().volume, 2, 1e-6);
     EXPECT_NEAR(square->measures().inertia().zz(), 2.0/3, 1e-6);
+    EXPECT_NEAR(square->area(), 4*std::sqrt(2.0), 1e-6);
     EXPECT_NEAR(square->bounds().max().x(), 1, 1e-6);
     EXPECT_EQ(square->bounds().max().z(), 0);
     EXPECT_NEAR(square->findNearest(point(0.25, 0.25, 0), GREAT).depth, std::sqrt(0.125), 1e-6);

@@ -87,6 +87,7 @@ Foam::smoothedParticles::closedSurface::closedSurface
     else
     {
         measures_ = insideOf(surface_);
+        area_ = sum(mag(surface_.faceAreas()));
         box_ = box;
     }
     tree_.reset(new triangleTree(surface_));
@@ -183,6 +184,7 @@ void Foam::smoothedParticles::closedSurface::cut(const dictionary& dict)
         {
             // Anticlockwise about the inside, as the triangle is about its normal
             addSector(measures_, corners[from] + up, corners[to] + up);
+            area_ += mag(corners[to] - corners[from]);
             triangles.append(labelledTri(from, to, to + 1, 0));
             triangles.append(labelledTri(from, to + 1, from + 1, 0));
         }

@@ -566,7 +566,12 @@ public:
 
     scalar nParticles() const
     {
-        return cmptProduct(max(grid_.nCells(surface_.bounds()), vector(1, 1, 1)));
+        return
+            min
+            (
+                cmptProduct(max(grid_.nCells(surface_.bounds()), vector(1, 1, 1))),
+                1.5*grid_.nLayers()*surface_.area()/std::pow(grid_.spacing, grid_.dim - 1)
+            );
     }
 };
 
