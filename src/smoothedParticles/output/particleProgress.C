@@ -4,6 +4,7 @@
 
 #include "timeLeft.H"
 
+#include <algorithm>
 #include <iomanip>
 #include <sstream>
 
@@ -32,7 +33,7 @@ void Foam::smoothedParticles::particleProgress::print
 
     const typename particleFlow<dim>::energies e(flow.energy());
     const double done = time_.value() - time_.startTime().value();
-    const double left = time_.endTime().value() - time_.value();
+    const double left = std::max(0.0, time_.endTime().value() - time_.value());
 
     std::ostringstream os;
     os  << std::setprecision(4)
