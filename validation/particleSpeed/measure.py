@@ -27,8 +27,8 @@ H = 1.5*SPACING
 C0, RHO0, ALPHA, DELTA = 46.0, 1000.0, 0.02, 0.1
 SKIN = 0.3                  # search radius beyond the support over the spacing, of particleFlow.C
 ACOUSTIC = SPACING/C0       # [s]
-DURATION = 300*ACOUSTIC
-PYSPH_STEPS = 21
+DURATION = 100*ACOUSTIC
+PYSPH_STEPS = 7
 
 # Operations for a candidate pair in three dimensions with WendlandC2, counted in interactionLoop.H; a multiplication, addition,
 # comparison, root or quotient each. Both loops: r 3, r.r 5, q 3, f(q) 5, its volume 1. Density with Fourtakas' diffusion: velocity
