@@ -251,7 +251,7 @@ def formulation(run: Path) -> None:
     text = (REPOSITORY / "docs/particles.md").read_text().split("## The paper's formulation")[1].split("```")[1]
     path = run / PROPERTIES
     old = path.read_text()
-    for entry in ("kernel", "smoothingLength", "viscosity", "alpha", "densityDiffusion", "delta", "walls"):
+    for entry in ("kernel", "smoothingLength", "viscosity", "alpha", "acousticDamper", "densityDiffusion", "delta", "walls"):
         old = re.sub(rf"\n{entry} .*", "", old)
     for entry in ("liquid", "speedOfSound"):
         old = re.sub(rf"\n{entry}\n{{[^}}]*}}\n", "", old)
