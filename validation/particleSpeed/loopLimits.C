@@ -168,7 +168,7 @@ int main(int argc, char* argv[])
         x.push_back({{p.x[0], p.x[1], p.x[2]}});
     }
     clusterNeighbours<3> neighbours;
-    neighbours.sort(x, spacing);
+    neighbours.sort(x, spacing, 1);
     const std::vector<std::int32_t> order(neighbours.order());
     std::vector<unsigned char> passive;
     for (std::size_t k = 0; k < x.size(); ++k)

@@ -252,7 +252,7 @@ template<class Real, int dim>
 double largestError(const cloud<dim>& c, const interactionModel& m, instructionSet widest, double tolerance)
 {
     clusterNeighbours<dim> neighbours;
-    neighbours.sort(c.x, spacing);
+    neighbours.sort(c.x, spacing, 1);
     neighbours.search(c.x, none(c.x.size()), none(c.x.size()), 2.2*m.h, 1);
     auto particles = c.template packed<Real>(neighbours);
     const interaction<Real, dim> interact(m, widest);
@@ -357,7 +357,7 @@ void checkNeighbours()
     const cloud<dim> c(dim == 2 ? 40 : 14);
     const double radius = 2.7*spacing;
     clusterNeighbours<dim> neighbours;
-    neighbours.sort(c.x, spacing);
+    neighbours.sort(c.x, spacing, 1);
     neighbours.search(c.x, none(c.x.size()), none(c.x.size()), radius, 1);
 
     // Every particle has one place
@@ -408,7 +408,7 @@ void checkNeighbours()
 
     // Whatever the number of threads
     clusterNeighbours<dim> shared;
-    shared.sort(c.x, spacing);
+    shared.sort(c.x, spacing, 3);
     shared.search(c.x, none(c.x.size()), none(c.x.size()), radius, 3);
     ASSERT_EQ(shared.order(), neighbours.order());
     for (std::size_t i = 0; i < neighbours.size(); ++i)
@@ -424,7 +424,7 @@ void checkTwins(double momentumTolerance)
     const cloud<dim> c(dim == 2 ? 40 : 14);
     interactionModel m = models(1.5*spacing)[9];
     clusterNeighbours<dim> neighbours;
-    neighbours.sort(c.x, spacing);
+    neighbours.sort(c.x, spacing, 1);
     neighbours.search(c.x, none(c.x.size()), none(c.x.size()), 2.2*m.h, 1);
     auto once = c.template packed<Real>(neighbours);
     auto again = c.template packed<Real>(neighbours);
@@ -474,13 +474,13 @@ TEST(ClusterNeighbours, inSpace)
 TEST(ClusterNeighbours, fewParticles)
 {
     clusterNeighbours<3> empty;
-    empty.sort({}, spacing);
+    empty.sort({}, spacing, 2);
     empty.search({}, {}, {}, spacing, 2);
     EXPECT_EQ(empty.size(), 0u);
 
     const std::vector<std::array<double, 3>> one = {{{0.1, 0.2, 0.3}}};
     clusterNeighbours<3> neighbours;
-    neighbours.sort(one, spacing);
+    neighbours.sort(one, spacing, 2);
     neighbours.search(one, none(1), none(1), spacing, 2);
     EXPECT_EQ(neighbours.size(), std::size_t(clusterSize));
     EXPECT_EQ(neighbours.end(0) - neighbours.begin(0), 1);
@@ -498,9 +498,9 @@ TEST(ClusterNeighbours, passiveParticles)
     }
     const double radius = 2.7*spacing;
     clusterNeighbours<2> neighbours, all;
-    neighbours.sort(c.x, spacing);
+    neighbours.sort(c.x, spacing, 1);
     neighbours.search(c.x, passive, none(c.x.size()), radius, 1);
-    all.sort(c.x, spacing);
+    all.sort(c.x, spacing, 1);
     all.search(c.x, none(c.x.size()), none(c.x.size()), radius, 1);
     EXPECT_LT(neighbours.nPairs(), 0.8*all.nPairs());
 
@@ -568,7 +568,7 @@ struct wallAndFluid
     :
         c(dim == 2 ? 30 : 12)
     {
-        neighbours.sort(c.x, spacing);
+        neighbours.sort(c.x, spacing, 1);
         neighbours.search(c.x, none(c.x.size()), none(c.x.size()), 2.2*m.h, 1);
         particles = c.template packed<Real>(neighbours);
         particles.fluid.clear();
@@ -762,7 +762,7 @@ TEST(Interaction, renormalisedGradientOfLinearDensity)
         c.volume.push_back(1e-6);
     }
     clusterNeighbours<3> neighbours;
-    neighbours.sort(c.x, spacing);
+    neighbours.sort(c.x, spacing, 1);
     neighbours.search(c.x, none(c.x.size()), none(c.x.size()), 2.2*m.h, 1);
     auto particles = c.packed<double>(neighbours);
     particles.addDensityGradient();

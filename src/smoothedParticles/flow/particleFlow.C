@@ -23,6 +23,9 @@ constexpr double skinRatio = 0.3;
 // Every so many particles have their neighbours counted
 constexpr int countedShare = 64;
 
+// Particles in turn for each thread: those of walls, which come together, have more to do in some loops and less in others
+constexpr int turn = 1024;
+
 
 [[noreturn]] void refuse(const std::string& entry, double value, const char* expected)
 {
@@ -57,6 +60,24 @@ class MurnaghanPressure
     double gamma_;
     double B_;
 
+    //- gamma, where it is a small whole number; else 0
+    int whole_;
+
+    //- (1 + x)^gamma - 1, without cancellation; not a number where the density is below 0
+    double growth(double x) const
+    {
+        if (whole_ && x > -1)
+        {
+            double sum = 1;
+            for (int k = 1; k < whole_; ++k)
+            {
+                sum = sum*(1 + x) + 1;
+            }
+            return x*sum;
+        }
+        return std::expm1(gamma_*std::log1p(x));
+    }
+
 
 public:
 
@@ -64,13 +85,14 @@ public:
     :
         rho0_(rho0),
         gamma_(gamma),
-        B_(rho0*c0*c0/gamma)
+        B_(rho0*c0*c0/gamma),
+        whole_(gamma <= 16 && gamma == std::floor(gamma) ? static_cast<int>(gamma) : 0)
     {}
 
     //- p [Pa] of rho - rho0 [kg/m3]
     double pressure(double density) const
     {
-        return B_*std::expm1(gamma_*std::log1p(density/rho0_));
+        return B_*growth(density/rho0_);
     }
 
     //- rho - rho0 [kg/m3] of p [Pa]
@@ -127,12 +149,15 @@ class flowIn
         std::vector<vector> xSearched_;
         std::vector<std::int32_t> place_;
 
+        //- The number that each had before the last sort
+        std::vector<std::int32_t> from_;
+
     // Mirror images
 
         std::vector<mirrorImage<dim>> images_;
         std::vector<std::int32_t> imagePlace_;
 
-        //- Of the particles and then the images
+        //- Of the particles and then the images; empty if there are none
         std::vector<vector> xAll_;
         std::vector<unsigned char> passive_, silent_;
 
@@ -198,20 +223,36 @@ class flowIn
         return Foam::vector(x[0], x[1], dim == 3 ? x[dim - 1] : 0);
     }
 
-    //- Bring an array into a new order
+    //- Bring an array into the new order
     template<class T>
-    static void reorder(std::vector<T>& values, const std::vector<std::int32_t>& order, std::vector<T>& spare)
+    void reorder(std::vector<T>& values, std::vector<T>& spare) const
     {
-        spare.clear();
-        const std::int32_t n = values.size();
-        for (const std::int32_t k : order)
+        const std::int64_t n = values.size();
+        spare.resize(n);
+        #pragma omp parallel for num_threads(nThreads_) schedule(static, turn)
+        for (std::int64_t k = 0; k < n; ++k)
         {
-            if (k >= 0 && k < n)
-            {
-                spare.push_back(values[k]);
-            }
+            spare[k] = values[from_[k]];
         }
         values.swap(spare);
+    }
+
+    template<class T>
+    void copy(const std::vector<T>& from, std::vector<T>& to) const
+    {
+        const std::int64_t n = from.size();
+        to.resize(n);
+        #pragma omp parallel for num_threads(nThreads_) schedule(static, turn)
+        for (std::int64_t k = 0; k < n; ++k)
+        {
+            to[k] = from[k];
+        }
+    }
+
+    //- Of particles and images
+    const std::vector<vector>& positions() const
+    {
+        return images_.empty() ? x_ : xAll_;
     }
 
     bool isFluid(std::size_t k) const
@@ -229,61 +270,69 @@ class flowIn
         return supportRadius() + skinRatio*model_.spacing;
     }
 
+    //- After the particles
+    void placeImages()
+    {
+        if (!images_.empty())
+        {
+            copy(x_, xAll_);
+            for (const mirrorImage<dim>& image : images_)
+            {
+                xAll_.push_back(image.position(x_[image.source]));
+            }
+        }
+    }
+
     //- Into the order of the clusters, with the images of now
     void sort()
     {
         const std::size_t n = x_.size();
         findMirrorImages<dim>(model_.symmetry, x_, searchRadius(), images_);
-        xAll_ = x_;
-        for (const mirrorImage<dim>& image : images_)
-        {
-            xAll_.push_back(image.position(x_[image.source]));
-        }
-        neighbours_.sort(xAll_, model_.spacing);
+        placeImages();
+        neighbours_.sort(positions(), model_.spacing, nThreads_);
 
         const std::vector<std::int32_t>& order = neighbours_.order();
-        reorder(original_, order, place_);
-        reorder(wall_, order, place_);
-        reorder(x_, order, xOld_);
-        reorder(v_, order, xOld_);
-        reorder(a_, order, xOld_);
-        reorder(density_, order, densityOld_);
-        reorder(mass_, order, densityOld_);
+        from_.clear();
+        for (const std::int32_t k : order)
+        {
+            if (k >= 0 && k < std::int32_t(n))
+            {
+                from_.push_back(k);
+            }
+        }
+        reorder(original_, place_);
+        reorder(wall_, place_);
+        reorder(x_, xOld_);
+        reorder(v_, xOld_);
+        reorder(a_, xOld_);
+        reorder(density_, densityOld_);
+        reorder(mass_, densityOld_);
         if (model_.energy)
         {
             for (std::vector<double>* values : {&energy_, &heat_, &energyRate_, &heating_})
             {
-                reorder(*values, order, densityOld_);
+                reorder(*values, densityOld_);
             }
         }
-        if (images_.empty())
-        {
-            xAll_ = x_;
-        }
-        else
+        if (!images_.empty())
         {
             std::vector<std::int32_t>& newOf = imagePlace_;
             newOf.resize(n);
+            for (std::size_t k = 0; k < n; ++k)
+            {
+                newOf[from_[k]] = k;
+            }
             std::vector<mirrorImage<dim>> sorted;
-            std::int32_t next = 0;
             for (const std::int32_t k : order)
             {
                 if (k >= std::int32_t(n))
                 {
                     sorted.push_back(images_[k - n]);
+                    sorted.back().source = newOf[sorted.back().source];
                 }
-                else if (k >= 0)
-                {
-                    newOf[k] = next++;
-                }
-            }
-            xAll_ = x_;
-            for (mirrorImage<dim>& image : sorted)
-            {
-                image.source = newOf[image.source];
-                xAll_.push_back(image.position(x_[image.source]));
             }
             images_.swap(sorted);
+            placeImages();
         }
         neighbours_.renumber(n);
     }
@@ -291,10 +340,11 @@ class flowIn
     void search()
     {
         sort();
-        const std::size_t n = x_.size();
+        const std::int64_t n = x_.size();
         passive_.resize(n + images_.size());
         silent_.assign(n + images_.size(), false);
-        for (std::size_t k = 0; k < n; ++k)
+        #pragma omp parallel for num_threads(nThreads_) schedule(static, turn)
+        for (std::int64_t k = 0; k < n; ++k)
         {
             passive_[k] = !isFluid(k);
         }
@@ -303,34 +353,28 @@ class flowIn
             passive_[n + g] = !isFluid(images_[g].source);
             silent_[n + g] = true;
         }
-        neighbours_.search(xAll_, passive_, silent_, searchRadius(), nThreads_);
+        neighbours_.search(positions(), passive_, silent_, searchRadius(), nThreads_);
 
         place_.resize(n);
         imagePlace_.resize(images_.size());
         packed_.resize(neighbours_.size());
         packed_.fluid.clear();
         packed_.walls.clear();
-        middle_.fill(0);
+        middle_ = neighbours_.middle();
         const std::vector<std::int32_t>& order = neighbours_.order();
-        for (std::size_t i = 0; i < order.size(); ++i)
+        const std::int64_t nPlaces = order.size();
+        #pragma omp parallel for num_threads(nThreads_) schedule(static, turn)
+        for (std::int64_t i = 0; i < nPlaces; ++i)
         {
-            if (order[i] < 0)
+            if (order[i] >= 0)
             {
-                continue;
+                packed_(i, fields::share) = passive_[order[i]] ? 0 : 1;
+                (order[i] < n ? place_[order[i]] : imagePlace_[order[i] - n]) = i;
             }
-            const std::size_t k = order[i];
-            packed_(i, fields::share) = passive_[k] ? 0 : 1;
-            if (k >= n)
-            {
-                imagePlace_[k - n] = i;
-                continue;
-            }
-            place_[k] = i;
-            (isFluid(k) ? packed_.fluid : packed_.walls).push_back(i);
-            for (int d = 0; d < dim; ++d)
-            {
-                middle_[d] += x_[k][d]/n;
-            }
+        }
+        for (std::int64_t k = 0; k < n; ++k)
+        {
+            (passive_[k] ? packed_.walls : packed_.fluid).push_back(place_[k]);
         }
         findBodyParticles();
         if (model_.interaction.diffusion == diffusionType::Antuono)
@@ -345,7 +389,7 @@ class flowIn
         {
             packed_.addShifting();
         }
-        xSearched_ = x_;
+        copy(x_, xSearched_);
         ++nSearches_;
         countPairs();
     }
@@ -357,8 +401,10 @@ class flowIn
             return;
         }
         packed_.moveWalls();
-        std::vector<std::int32_t> newOf(x_.size());
-        for (std::size_t k = 0; k < x_.size(); ++k)
+        const std::int64_t n = x_.size();
+        std::vector<std::int32_t> newOf(n);
+        #pragma omp parallel for num_threads(nThreads_) schedule(static, turn)
+        for (std::int64_t k = 0; k < n; ++k)
         {
             newOf[original_[k]] = k;
         }
@@ -376,7 +422,10 @@ class flowIn
         double pairs = 0;
         double counted = 0;
         const double radius2 = supportRadius()*supportRadius();
-        for (std::size_t k = 0; k < x_.size(); k += countedShare)
+        const std::vector<vector>& x = positions();
+        const std::int64_t n = x_.size();
+        #pragma omp parallel for num_threads(nThreads_) schedule(dynamic, 64) reduction(+: pairs, counted)
+        for (std::int64_t k = 0; k < n; k += countedShare)
         {
             if (!isFluid(k))
             {
@@ -388,14 +437,14 @@ class flowIn
                 for (int lane = 0; lane < clusterSize; ++lane)
                 {
                     const std::int32_t j = neighbours_.order()[*c*clusterSize + lane];
-                    if (j < 0 || std::size_t(j) == k)
+                    if (j < 0 || j == k)
                     {
                         continue;
                     }
                     double r2 = 0;
                     for (int d = 0; d < dim; ++d)
                     {
-                        r2 += (xAll_[j][d] - x_[k][d])*(xAll_[j][d] - x_[k][d]);
+                        r2 += (x[j][d] - x[k][d])*(x[j][d] - x[k][d]);
                     }
                     pairs += r2 < radius2;
                 }
@@ -411,7 +460,7 @@ class flowIn
         const double damping = m.acousticDamper*m.c0*m.h;
         const std::int64_t n = x_.size();
 
-        #pragma omp parallel for num_threads(nThreads_) schedule(static)
+        #pragma omp parallel for num_threads(nThreads_) schedule(static, turn)
         for (std::int64_t k = 0; k < n; ++k)
         {
             const std::size_t i = place_[k];
@@ -432,7 +481,7 @@ class flowIn
     {
         const std::int64_t n = images_.size();
 
-        #pragma omp parallel for num_threads(nThreads_) schedule(static)
+        #pragma omp parallel for num_threads(nThreads_) schedule(static, turn)
         for (std::int64_t g = 0; g < n; ++g)
         {
             const mirrorImage<dim>& image = images_[g];
@@ -453,7 +502,9 @@ class flowIn
     //- To the images, of vectors (with the sign of the mirror) or of scalars by place
     void packImages(std::array<packVector<Real>, dim>& vectors)
     {
-        for (std::size_t g = 0; g < images_.size(); ++g)
+        const std::int64_t n = images_.size();
+        #pragma omp parallel for num_threads(nThreads_) schedule(static, turn)
+        for (std::int64_t g = 0; g < n; ++g)
         {
             for (int d = 0; d < dim; ++d)
             {
@@ -464,7 +515,9 @@ class flowIn
 
     void packImages(packVector<Real>& scalars)
     {
-        for (std::size_t g = 0; g < images_.size(); ++g)
+        const std::int64_t n = images_.size();
+        #pragma omp parallel for num_threads(nThreads_) schedule(static, turn)
+        for (std::int64_t g = 0; g < n; ++g)
         {
             scalars[imagePlace_[g]] = scalars[place_[images_[g].source]];
         }
@@ -475,12 +528,12 @@ class flowIn
     {
         packWalls();
         const std::int64_t n = x_.size();
-        #pragma omp parallel for num_threads(nThreads_) schedule(static)
+        #pragma omp parallel for num_threads(nThreads_) schedule(static, turn)
         for (std::int64_t k = 0; k < n; ++k)
         {
             if (!isFluid(k))
             {
-                density_[k] = state_.density(wallPressure(place_[k]));
+                density_[k] = packed_(place_[k], fields::density);
             }
         }
     }
@@ -511,7 +564,7 @@ class flowIn
         interaction_.extrapolate(neighbours_, packed_, nThreads_);
 
         const std::int64_t n = x_.size();
-        #pragma omp parallel for num_threads(nThreads_) schedule(static)
+        #pragma omp parallel for num_threads(nThreads_) schedule(static, turn)
         for (std::int64_t k = 0; k < n; ++k)
         {
             if (isFluid(k))
@@ -551,7 +604,7 @@ class flowIn
         sumLoads();
 
         const std::int64_t n = x_.size();
-        #pragma omp parallel for num_threads(nThreads_) schedule(static)
+        #pragma omp parallel for num_threads(nThreads_) schedule(static, turn)
         for (std::int64_t k = 0; k < n; ++k)
         {
             if (isFluid(k))
@@ -607,7 +660,7 @@ class flowIn
             const contactSurface& surface = *contact.walls[w];
             const wallPose pose(poseOf(w));
 
-            #pragma omp parallel for num_threads(nThreads_) schedule(static)
+            #pragma omp parallel for num_threads(nThreads_) schedule(static, turn)
             for (std::int64_t k = 0; k < n; ++k)
             {
                 push_[k].fill(0);
@@ -743,7 +796,7 @@ class flowIn
         interaction_.sumSurfaceNormal(neighbours_, packed_, nThreads_);
 
         const std::int64_t n = x_.size();
-        #pragma omp parallel for num_threads(nThreads_) schedule(static)
+        #pragma omp parallel for num_threads(nThreads_) schedule(static, turn)
         for (std::int64_t k = 0; k < n; ++k)
         {
             if (!isFluid(k))
@@ -777,6 +830,7 @@ class flowIn
     {
         packFields();
         const std::int64_t n = x_.size();
+        #pragma omp parallel for num_threads(nThreads_) schedule(static, turn)
         for (std::int64_t k = 0; k < n; ++k)
         {
             for (int d = 0; d < dim; ++d)
@@ -787,6 +841,7 @@ class flowIn
         packImages(packed_.velocity);
         packWalls();
         interaction_.sumEnergyRate(neighbours_, packed_, nThreads_);
+        #pragma omp parallel for num_threads(nThreads_) schedule(static, turn)
         for (std::int64_t k = 0; k < n; ++k)
         {
             energyRate_[k] = packed_.energyRate[place_[k]];
@@ -807,7 +862,9 @@ class flowIn
             {
                 sumEnergyRates();
             }
-            for (std::size_t k = 0; k < x_.size(); ++k)
+            const std::int64_t n = x_.size();
+            #pragma omp parallel for num_threads(nThreads_) schedule(static, turn)
+            for (std::int64_t k = 0; k < n; ++k)
             {
                 energy_[k] += 0.5*deltaT*energyRate_[k];
                 heat_[k] += 0.5*deltaT*heating_[k];
@@ -819,7 +876,7 @@ class flowIn
     void kickAndDrift(double half)
     {
         const std::int64_t n = x_.size();
-        #pragma omp parallel for num_threads(nThreads_) schedule(static)
+        #pragma omp parallel for num_threads(nThreads_) schedule(static, turn)
         for (std::int64_t k = 0; k < n; ++k)
         {
             if (isFluid(k))
@@ -842,7 +899,7 @@ class flowIn
         const std::array<double, 3>& g = model_.interaction.g;
         const double weight = std::sqrt(g[0]*g[0] + g[1]*g[1] + g[2]*g[2]);
         const std::int64_t n = x_.size();
-        #pragma omp parallel for num_threads(nThreads_) schedule(static)
+        #pragma omp parallel for num_threads(nThreads_) schedule(static, turn)
         for (std::int64_t k = 0; k < n; ++k)
         {
             const double rate = isFluid(k) ? model_.absorption.rate(x_[k], model_.interaction.c0) : 0;
@@ -870,7 +927,7 @@ class flowIn
         for (const symmetryPlane& plane : model_.symmetry)
         {
             const std::int64_t n = x_.size();
-            #pragma omp parallel for num_threads(nThreads_) schedule(static)
+            #pragma omp parallel for num_threads(nThreads_) schedule(static, turn)
             for (std::int64_t k = 0; k < n; ++k)
             {
                 if (isFluid(k) && plane.distance(x_[k]) < 0)
@@ -889,11 +946,15 @@ class flowIn
         const std::int64_t n = x_.size();
         const double half = 0.5*deltaT;
 
+        if (!bodies_.empty())
+        {
+            copy(x_, xOld_);
+        }
         kickAndDrift(half);
         moveBodies(0.5, deltaT);
         sumDensityRate();
 
-        #pragma omp parallel for num_threads(nThreads_) schedule(static)
+        #pragma omp parallel for num_threads(nThreads_) schedule(static, turn)
         for (std::int64_t k = 0; k < n; ++k)
         {
             if (isFluid(k))
@@ -910,7 +971,7 @@ class flowIn
         shift(deltaT);
         sumAcceleration();
 
-        #pragma omp parallel for num_threads(nThreads_) schedule(static)
+        #pragma omp parallel for num_threads(nThreads_) schedule(static, turn)
         for (std::int64_t k = 0; k < n; ++k)
         {
             if (isFluid(k))
@@ -927,13 +988,14 @@ class flowIn
     {
         const std::int64_t n = x_.size();
         const double half = 0.5*deltaT;
-        vOld_ = v_;
-        densityOld_ = density_;
+        copy(x_, xOld_);
+        copy(v_, vOld_);
+        copy(density_, densityOld_);
 
         sumDensityRate();
         sumAcceleration();
 
-        #pragma omp parallel for num_threads(nThreads_) schedule(static)
+        #pragma omp parallel for num_threads(nThreads_) schedule(static, turn)
         for (std::int64_t k = 0; k < n; ++k)
         {
             if (isFluid(k))
@@ -950,7 +1012,7 @@ class flowIn
         sumDensityRate();
         sumAcceleration();
 
-        #pragma omp parallel for num_threads(nThreads_) schedule(static)
+        #pragma omp parallel for num_threads(nThreads_) schedule(static, turn)
         for (std::int64_t k = 0; k < n; ++k)
         {
             if (isFluid(k))
@@ -978,7 +1040,7 @@ class flowIn
         const std::int64_t n = x_.size();
         std::int64_t broken = n;
 
-        #pragma omp parallel for num_threads(nThreads_) schedule(static) \
+        #pragma omp parallel for num_threads(nThreads_) schedule(static, turn) \
             reduction(max: speed2, acceleration2) reduction(min: broken)
         for (std::int64_t k = 0; k < n; ++k)
         {
@@ -1026,7 +1088,7 @@ class flowIn
         }
         double farthest2 = 0;
         const std::int64_t n = x_.size();
-        #pragma omp parallel for num_threads(nThreads_) schedule(static) reduction(max: farthest2)
+        #pragma omp parallel for num_threads(nThreads_) schedule(static, turn) reduction(max: farthest2)
         for (std::int64_t k = 0; k < n; ++k)
         {
             double moved2 = 0;
@@ -1164,7 +1226,6 @@ public:
         {
             search();
         }
-        xOld_ = x_;
         if (model_.timeStepping == timeSteppingType::Verlet)
         {
             stepVerlet(deltaT);
@@ -1308,9 +1369,9 @@ public:
           + (model_.interaction.diffusion == diffusionType::Antuono)*neighbours_.size()*dim*sizeof(Real)
           + model_.energy*(neighbours_.size()*(dim + 2)*sizeof(Real) + x_.size()*4*sizeof(double))
           + (model_.shifting > 0)*neighbours_.size()*(2*dim + 3)*sizeof(Real)
-          + x_.size()*(7*sizeof(vector) + 3*sizeof(double) + 4*sizeof(std::int32_t))
+          + x_.size()*(6*sizeof(vector) + 3*sizeof(double) + 5*sizeof(std::int32_t))
           + push_.size()*(sizeof(vector) + sizeof(double))
-          + images_.size()*(sizeof(mirrorImage<dim>) + sizeof(vector));
+          + xAll_.size()*sizeof(vector) + images_.size()*sizeof(mirrorImage<dim>);
     }
 
     long nSearches() const override

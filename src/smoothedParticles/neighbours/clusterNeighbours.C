@@ -30,101 +30,137 @@ int Foam::smoothedParticles::clusterNeighbours<dim>::column(double x, int d) con
 }
 
 
+template<int dim>
+void Foam::smoothedParticles::clusterNeighbours<dim>::sortColumn(const std::vector<position>& x, std::int32_t column)
+{
+    constexpr int last = dim - 1;
+    const std::int64_t end = starts_[column + 1];
+    std::sort
+    (
+        sorted_.begin() + starts_[column], sorted_.begin() + end,
+        [&](std::int32_t a, std::int32_t b)
+        {
+            return x[a][last] < x[b][last] || (x[a][last] == x[b][last] && a < b);
+        }
+    );
+    std::int64_t from = starts_[column];
+    for (std::int64_t cluster = firstCluster_[column]; cluster < firstCluster_[column + 1]; ++cluster)
+    {
+        box& b = boxes_[cluster];
+        b.low.fill(std::numeric_limits<double>::max());
+        b.high.fill(std::numeric_limits<double>::lowest());
+        for (int lane = 0; lane < clusterSize; ++lane, ++from)
+        {
+            const std::int32_t i = from < end ? sorted_[from] : -1;
+            order_[cluster*clusterSize + lane] = i;
+            for (int d = 0; i >= 0 && d < dim; ++d)
+            {
+                b.low[d] = std::min(b.low[d], x[i][d]);
+                b.high[d] = std::max(b.high[d], x[i][d]);
+            }
+        }
+    }
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 template<int dim>
-void Foam::smoothedParticles::clusterNeighbours<dim>::sort(const std::vector<position>& x, double spacing)
+void Foam::smoothedParticles::clusterNeighbours<dim>::sort(const std::vector<position>& x, double spacing, int nThreads)
 {
     constexpr int last = dim - 1;
-    const std::size_t n = x.size();
+    const std::int64_t n = x.size();
 
     // As wide as a cluster is high
     columnWidth_ = spacing*std::pow(clusterSize, 1.0/dim);
 
-    position high;
-    origin_.fill(std::numeric_limits<double>::max());
-    high.fill(std::numeric_limits<double>::lowest());
-    for (const position& xi : x)
+    double low[dim], high[dim];
+    std::fill_n(low, dim, std::numeric_limits<double>::max());
+    std::fill_n(high, dim, std::numeric_limits<double>::lowest());
+    #pragma omp parallel for num_threads(nThreads) schedule(static) reduction(min: low) reduction(max: high)
+    for (std::int64_t i = 0; i < n; ++i)
     {
         for (int d = 0; d < dim; ++d)
         {
-            origin_[d] = std::min(origin_[d], xi[d]);
-            high[d] = std::max(high[d], xi[d]);
+            low[d] = std::min(low[d], x[i][d]);
+            high[d] = std::max(high[d], x[i][d]);
         }
     }
-    std::size_t columns = 1;
+    std::copy_n(low, dim, origin_.begin());
+    std::copy_n(high, dim, end_.begin());
+    std::int64_t columns = 1;
     for (int d = 0; d < last; ++d)
     {
-        nColumns_[d] = n ? 1 + static_cast<int>((high[d] - origin_[d])/columnWidth_) : 1;
+        nColumns_[d] = n ? 1 + static_cast<int>((high[d] - low[d])/columnWidth_) : 1;
         columns *= nColumns_[d];
     }
 
-    // By column, counting; then each column by the last coordinate
-    keys_.resize(n);
-    firstCluster_.assign(columns + 1, 0);
-    for (std::size_t i = 0; i < n; ++i)
+    // By column, counting: each thread a share of the particles, whose places in a column follow those of the share before
+    columnOf_.resize(n);
+    counts_.assign(nThreads*columns, 0);
+    #pragma omp parallel for num_threads(nThreads) schedule(static, 1)
+    for (int thread = 0; thread < nThreads; ++thread)
     {
-        std::int64_t key = 0;
-        for (int d = 0; d < last; ++d)
+        std::int64_t* count = counts_.data() + thread*columns;
+        for (std::int64_t i = n*thread/nThreads; i < n*(thread + 1)/nThreads; ++i)
         {
-            key = key*nColumns_[d] + column(x[i][d], d);
+            std::int64_t key = 0;
+            for (int d = 0; d < last; ++d)
+            {
+                key = key*nColumns_[d] + column(x[i][d], d);
+            }
+            columnOf_[i] = key;
+            ++count[key];
         }
-        keys_[i] = key;
-        ++firstCluster_[key + 1];
     }
-    std::size_t first = 0;
-    std::size_t place = 0;
-    std::vector<std::int32_t>& counts = firstCluster_;
-    sorted_.resize(n);
+    firstCluster_.resize(columns + 1);
     starts_.resize(columns + 1);
+    firstCluster_[0] = 0;
     starts_[0] = 0;
-    for (std::size_t c = 0; c < columns; ++c)
+    for (std::int64_t c = 0; c < columns; ++c)
     {
-        starts_[c + 1] = starts_[c] + counts[c + 1];
+        std::int64_t next = starts_[c];
+        for (int thread = 0; thread < nThreads; ++thread)
+        {
+            std::int64_t& count = counts_[thread*columns + c];
+            const std::int64_t first = next;
+            next += count;
+            count = first;
+        }
+        starts_[c + 1] = next;
+        firstCluster_[c + 1] = firstCluster_[c] + (next - starts_[c] + clusterSize - 1)/clusterSize;
     }
-    for (std::size_t i = 0; i < n; ++i)
+    sorted_.resize(n);
+    #pragma omp parallel for num_threads(nThreads) schedule(static, 1)
+    for (int thread = 0; thread < nThreads; ++thread)
     {
-        sorted_[starts_[keys_[i]]++] = i;
+        std::int64_t* next = counts_.data() + thread*columns;
+        for (std::int64_t i = n*thread/nThreads; i < n*(thread + 1)/nThreads; ++i)
+        {
+            sorted_[next[columnOf_[i]]++] = i;
+        }
     }
 
-    order_.clear();
-    boxes_.clear();
-    firstCluster_[0] = 0;
-    for (std::size_t c = 0; c < columns; ++c)
+    boxes_.resize(firstCluster_[columns]);
+    order_.resize(boxes_.size()*clusterSize);
+    #pragma omp parallel for num_threads(nThreads) schedule(dynamic, 8)
+    for (std::int64_t c = 0; c < columns; ++c)
     {
-        const std::size_t end = starts_[c];
-        std::sort
-        (
-            sorted_.begin() + first, sorted_.begin() + end,
-            [&](std::int32_t a, std::int32_t b)
-            {
-                return x[a][last] < x[b][last] || (x[a][last] == x[b][last] && a < b);
-            }
-        );
-        for (; first < end; first += std::min<std::size_t>(clusterSize, end - first))
-        {
-            box b;
-            b.low.fill(std::numeric_limits<double>::max());
-            b.high.fill(std::numeric_limits<double>::lowest());
-            for (place = 0; place < clusterSize; ++place)
-            {
-                if (first + place >= end)
-                {
-                    order_.push_back(-1);
-                    continue;
-                }
-                const std::int32_t i = sorted_[first + place];
-                order_.push_back(i);
-                for (int d = 0; d < dim; ++d)
-                {
-                    b.low[d] = std::min(b.low[d], x[i][d]);
-                    b.high[d] = std::max(b.high[d], x[i][d]);
-                }
-            }
-            boxes_.push_back(b);
-        }
-        firstCluster_[c + 1] = boxes_.size();
+        sortColumn(x, c);
     }
+}
+
+
+template<int dim>
+typename Foam::smoothedParticles::clusterNeighbours<dim>::position
+Foam::smoothedParticles::clusterNeighbours<dim>::middle() const
+{
+    position result;
+    for (int d = 0; d < dim; ++d)
+    {
+        result[d] = 0.5*(origin_[d] + end_[d]);
+    }
+    return result;
 }
 
 
@@ -157,29 +193,30 @@ void Foam::smoothedParticles::clusterNeighbours<dim>::search
     const std::int64_t nClusters = boxes_.size();
     const double radius2 = radius*radius;
 
-    passive_.assign(nClusters, true);
-    for (std::size_t i = 0; i < order_.size(); ++i)
+    passive_.resize(nClusters);
+    #pragma omp parallel for num_threads(nThreads) schedule(static)
+    for (std::int64_t cluster = 0; cluster < nClusters; ++cluster)
     {
-        if (order_[i] >= 0 && !passive[order_[i]])
-        {
-            passive_[i/clusterSize] = false;
-        }
+        const std::int32_t* in = order_.data() + cluster*clusterSize;
+        passive_[cluster] = std::all_of(in, in + clusterSize, [&](std::int32_t i){return i < 0 || passive[i];});
     }
 
-    candidates_.resize(nThreads);
-    found_.resize(nThreads);
-    starts_.assign(order_.size() + 1, 0);
+    // Shares of the clusters, which the result does not depend on; some have more to search than others
+    const int nShares = nThreads > 1 ? 8*nThreads : 1;
+    candidates_.resize(nShares);
+    found_.resize(nShares);
+    starts_.resize(order_.size() + 1);
+    starts_[0] = 0;
 
-    // Each thread its own share of the clusters, so that the result does not depend on their number
-    #pragma omp parallel for num_threads(nThreads) schedule(static, 1)
-    for (int thread = 0; thread < nThreads; ++thread)
+    #pragma omp parallel for num_threads(nThreads) schedule(dynamic, 1)
+    for (int share = 0; share < nShares; ++share)
     {
-        std::vector<std::int32_t>& found = found_[thread];
+        std::vector<std::int32_t>& found = found_[share];
         found.clear();
-        std::vector<std::int32_t>& candidates = candidates_[thread];
+        std::vector<std::int32_t>& candidates = candidates_[share];
 
-        const std::int64_t end = nClusters*(thread + 1)/nThreads;
-        for (std::int64_t cluster = nClusters*thread/nThreads; cluster < end; ++cluster)
+        const std::int64_t end = nClusters*(share + 1)/nShares;
+        for (std::int64_t cluster = nClusters*share/nShares; cluster < end; ++cluster)
         {
             const box& own = boxes_[cluster];
 
@@ -268,11 +305,11 @@ void Foam::smoothedParticles::clusterNeighbours<dim>::search
         starts_[i + 1] += starts_[i];
     }
     clusters_.resize(starts_.back());
-    #pragma omp parallel for num_threads(nThreads) schedule(static, 1)
-    for (int thread = 0; thread < nThreads; ++thread)
+    #pragma omp parallel for num_threads(nThreads) schedule(dynamic, 1)
+    for (int share = 0; share < nShares; ++share)
     {
-        const std::int64_t first = nClusters*thread/nThreads*clusterSize;
-        std::copy(found_[thread].begin(), found_[thread].end(), clusters_.begin() + starts_[first]);
+        const std::int64_t first = nClusters*share/nShares*clusterSize;
+        std::copy(found_[share].begin(), found_[share].end(), clusters_.begin() + starts_[first]);
     }
 }
 
@@ -281,8 +318,9 @@ template<int dim>
 std::size_t Foam::smoothedParticles::clusterNeighbours<dim>::bytes() const
 {
     std::size_t result =
-        (order_.capacity() + clusters_.capacity() + firstCluster_.capacity() + sorted_.capacity())*sizeof(std::int32_t)
-      + (starts_.capacity() + keys_.capacity())*sizeof(std::int64_t)
+        (order_.capacity() + clusters_.capacity() + firstCluster_.capacity() + sorted_.capacity() + columnOf_.capacity())
+       *sizeof(std::int32_t)
+      + (starts_.capacity() + counts_.capacity())*sizeof(std::int64_t)
       + boxes_.capacity()*sizeof(box) + passive_.capacity();
     for (const auto& found : found_)
     {
