@@ -4,7 +4,8 @@
 
 When the gate opened is not known. So time is shifted for the computed force, mean of 10 ms, to pass 5 N first when the
 measured one does; the velocity counts from the arrival of the bore. Reference values are those of two digitisations of
-the measurement. Not judged: the noise, which is what a mean of 20 ms takes away while the force is steady."""
+the measurement. Not judged: the noise, which is what a mean of 20 ms takes away while the force is steady; and the twin on a
+mesh (twin.py)."""
 import sys
 from pathlib import Path
 from typing import Dict, List, NamedTuple
@@ -14,6 +15,7 @@ import numpy as np
 
 FOLDER = Path(__file__).resolve().parent
 sys.path.insert(0, str(FOLDER.parent))
+from meshTwins import isComplete, numbers  # noqa: E402
 from particleRuns import cpuSeconds, runs, table  # noqa: E402
 from resultTable import Row, judge, show, write  # noqa: E402
 
@@ -57,14 +59,25 @@ def rise(force: Series) -> float:
     return float(force.time[np.argmax(force.mean(0.01) > RISE)])
 
 
-def computed(run: Path) -> Dict[str, Series]:
+def aligned(force: Series, velocity: Series) -> Dict[str, Series]:
     """Force in the time of the measurement, and the velocity from the bore's arrival, when half its highest speed is there."""
-    walls, probes = table(run, "walls"), table(run, "probes")
-    force = evenly(walls["time_s"], walls["column_Fx_N"])
-    velocity = evenly(probes["time_s"], probes["upstream_Ux_m_s"])
     arrival = velocity.time[np.argmax(velocity.value > 0.5*velocity.value.max())]
     return {"force": Series(force.time + rise(reference("force", "Fx_N")) - rise(force), force.value),
             "velocity": Series(velocity.time - arrival, velocity.value)}
+
+
+def computed(run: Path) -> Dict[str, Series]:
+    walls, probes = table(run, "walls"), table(run, "probes")
+    return aligned(evenly(walls["time_s"], walls["column_Fx_N"]), evenly(probes["time_s"], probes["upstream_Ux_m_s"]))
+
+
+def twin() -> Dict[str, Series]:
+    """Of plungeFoam; empty where it has not been run."""
+    run = FOLDER / "run/slip"
+    if not isComplete(run):
+        return {}
+    force, velocity = (numbers(run / "postProcessing" / file) for file in ("force/0/force.dat", "upstream/0/U"))
+    return aligned(evenly(force[:, 0], force[:, 1]), evenly(velocity[:, 0], velocity[:, 1]))
 
 
 def figures(force: Series) -> Dict[str, float]:
@@ -76,7 +89,13 @@ def figures(force: Series) -> Dict[str, float]:
             "noise": float((force.value - force.mean(0.02))[plateau].std())}
 
 
-def draw(results: Dict[float, Dict[str, Series]]) -> None:
+def short(measured: Series, velocity: Series) -> float:
+    """Computed less measured velocity, mean of 0.05 to 0.5 s after arrival [m/s]."""
+    difference = np.interp(measured.time, velocity.time, velocity.mean(0.01)) - measured.value
+    return float(difference[measured.during((0.05, 0.5))].mean())
+
+
+def draw(results: Dict[str, Dict[str, Series]]) -> None:
     matplotlib.use("Agg")
     from matplotlib import pyplot
 
@@ -85,9 +104,9 @@ def draw(results: Dict[float, Dict[str, Series]]) -> None:
                                       (axes[1], "velocity", "Ux_m_s", "velocity at (0.814, 0.31, 0.026) m [m/s]")):
         data = np.genfromtxt(FOLDER / "reference" / f"{name}.csv", delimiter=",", skip_header=2, names=True)
         axis.plot(data["time_s"], data[column], ".", color="0.5", label="Yeh and Petroff")
-        for spacing, result in results.items():
+        for run, result in results.items():
             series = result[name]
-            axis.plot(series.time, series.mean(0.01), label=f"spacing {1000*spacing:g} mm, mean of 10 ms")
+            axis.plot(series.time, series.mean(0.01), label=run + ", mean of 10 ms")
         axis.set(ylabel=label, xlim=(0, 1.5))
         axis.legend()
     axes[0].set(xlabel="time [s], aligned on the rise through 5 N", ylim=(-10, 60))
@@ -101,25 +120,31 @@ def main() -> None:
     results, found = {}, {}
     measured = reference("velocity", "Ux_m_s")
     for spacing, run in runs(FOLDER):
-        result = results[spacing] = computed(run)
+        name = f"spacing {1000*spacing:.4g} mm"
+        result = results[name] = computed(run)
         of = found[spacing] = figures(result["force"])
         cpu = cpuSeconds(run)
-        name = f"spacing {1000*spacing:.4g} mm: "
         for what, key, unit, (value, share) in (("peak of the force, mean of 50 ms", "peak", "N", PEAK),
                                                 ("force, mean of 0.55 to 0.75 s", "plateau", "N", STEADY),
                                                 ("impulse, 0.33 to 1.30 s", "impulse", "N s", TOTAL)):
-            rows.append(judge(name + what, of[key], unit, value, share*value, cpu))
-        velocity = result["velocity"]
-        both = np.interp(measured.time, velocity.time, velocity.mean(0.01))
-        early = measured.during((0.05, 0.5))
-        rows.append(Row(name + "velocity upstream, 0.05 to 0.5 s after arrival: computed less measured, mean",
-                        float((both - measured.value)[early].mean()), "m/s", cpu_s=cpu))
-        rows.append(Row(name + "noise of the force, 0.55 to 0.75 s, rms of periods below 20 ms", of["noise"], "N", cpu_s=cpu))
+            rows.append(judge(f"{name}: {what}", of[key], unit, value, share*value, cpu))
+        rows.append(Row(name + ": velocity upstream, 0.05 to 0.5 s after arrival: computed less measured, mean",
+                        short(measured, result["velocity"]), "m/s", cpu_s=cpu))
+        rows.append(Row(name + ": noise of the force, 0.55 to 0.75 s, rms of periods below 20 ms", of["noise"], "N", cpu_s=cpu))
     spacings = list(found)
     for coarse, fine in zip(spacings, spacings[1:]):
         for key in ("peak", "plateau", "impulse"):
             rows.append(Row(f"change of the {key} from spacing {1000*coarse:.4g} to {1000*fine:.4g} mm",
                             100*(found[fine][key]/found[coarse][key] - 1), "%"))
+    mesh = twin()
+    if mesh:
+        name = "plungeFoam, cells of 20 mm, walls that slip"
+        results[name] = mesh
+        rows += [Row(f"{name}: {what}", figures(mesh["force"])[key], unit) for what, key, unit in (
+            ("peak of the force, mean of 50 ms", "peak", "N"), ("force, mean of 0.55 to 0.75 s", "plateau", "N"),
+            ("impulse, 0.33 to 1.30 s", "impulse", "N s"))]
+        rows.append(Row(name + ": velocity upstream, 0.05 to 0.5 s after arrival: computed less measured, mean",
+                        short(measured, mesh["velocity"]), "m/s"))
     write(FOLDER / "result.csv", rows)
     show(rows)
     draw(results)
