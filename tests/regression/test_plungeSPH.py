@@ -84,9 +84,9 @@ def test_stillTank(tmp_path: Path) -> None:
 
 @pytest.fixture(scope="module")
 def dam(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A coarse dam break in double precision, to 0.2 s on one thread."""
+    """A coarse dam break in double precision, to 0.2 s on one thread; its walls slip, as contact's do."""
     run = case("damBreakParticles", tmp_path_factory.mktemp("dam") / "whole",
-               {"geometry/spacing": 0.01, "precision": "double"}, endTime=0.2, writeInterval=0.1, purgeWrite=0)
+               {"geometry/spacing": 0.01, "precision": "double", "walls": "slip"}, endTime=0.2, writeInterval=0.1, purgeWrite=0)
     foam("plungeSPH", "-threads", 1, case=run)
     return run
 
@@ -94,7 +94,7 @@ def dam(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def test_threads(dam: Path) -> None:
     """Two threads give the state of one, bit for bit."""
     twin = case("damBreakParticles", dam.parent / "threads",
-                {"geometry/spacing": 0.01, "precision": "double"}, endTime=0.1, writeInterval=0.1)
+                {"geometry/spacing": 0.01, "precision": "double", "walls": "slip"}, endTime=0.1, writeInterval=0.1)
     foam("plungeSPH", "-threads", 2, case=twin)
     np.testing.assert_array_equal(checkpoint(twin, "0.1")[0], checkpoint(dam, "0.1")[0])
 
@@ -175,6 +175,10 @@ def volume(shape: vtk.vtkPolyData) -> float:
     return properties.GetVolume()
 
 
+# Springs at walls, which slip
+SPRINGS = {"contact": "{ stiffness node; factor 0.1; }", "walls": "slip"}
+
+
 def bodyCase(directory: Path, entries: Dict[str, object] = {}, **control: object) -> Path:
     """A tank with a box that floats, and a surface and a sphere that fall, in three dimensions."""
     run = case("damBreakParticles", directory, {
@@ -235,7 +239,7 @@ def test_circle(contact: bool, tmp_path: Path) -> None:
                           " { name log; type sphere; centre (0.5 0.6 0); radius 0.08; } )",
         "bodies": f"{{ log {{ mass {0.5*WATER*np.pi*0.08**2}; momentOfInertia (0.1 0.1 0.1); centreOfMass (0.5 0.6 0);"
                   " solver { type symplectic; } } }",
-        **({"contact": "{ stiffness node; factor 0.1; }"} if contact else {})}, endTime=0.3, writeInterval=0.1)
+        **(SPRINGS if contact else {})}, endTime=0.3, writeInterval=0.1)
     foam("plungeSPH", "-threads", 1, case=run)
     shape = polyData(run, "log", 3)
     points = vtk_to_numpy(shape.GetPoints().GetData())
@@ -319,7 +323,7 @@ def test_contact(dam: Path) -> None:
     """Springs at the walls in place of particles: the front of the dam break is that with particles to 3 %, nothing leaks in
     0.5 s, energy only falls."""
     run = case("damBreakParticles", dam.parent / "contact",
-               {"geometry/spacing": 0.01, "precision": "double", "contact": "{ stiffness node; factor 0.1; }"},
+               {"geometry/spacing": 0.01, "precision": "double", **SPRINGS},
                endTime=0.5, writeInterval=0.1, purgeWrite=0)
     output = foam("plungeSPH", "-threads", 1, case=run)
     assert "450 of the fluid, 0 of walls" in output
@@ -341,7 +345,7 @@ def test_contact(dam: Path) -> None:
 
 def test_contactRestart(tmp_path: Path) -> None:
     """With bodies, stopped and restarted is not stopped; both bodies feel the liquid, and what they feel is in both tables."""
-    entries = {"contact": "{ stiffness node; factor 0.1; maxDepth 2; }", "precision": "double", "bodies/wedge_1/velocity": "(0 0 -1.5)"}
+    entries = {**SPRINGS, "contact/maxDepth": 2, "precision": "double", "bodies/wedge_1/velocity": "(0 0 -1.5)"}
     run = bodyCase(tmp_path / "whole", entries, endTime=0.16, writeInterval=0.08, purgeWrite=0)
     foam("plungeSPH", "-threads", 1, case=run)
     twin = copy(run, "restarted")
@@ -420,7 +424,7 @@ def leak(run: Path) -> None:
 @pytest.mark.parametrize("contact", [False, True], ids=["particles", "contact"])
 def test_badSurface(contact: bool, tmp_path: Path) -> None:
     """A surface of a body that leaks, or is not there."""
-    entries = {"contact": "{ stiffness node; factor 0.1; }"} if contact else {}
+    entries = SPRINGS if contact else {}
     run = bodyCase(tmp_path / "leaks", entries)
     leak(run)
     checkRefused("plungeSPH", run, ("particleProperties", "wedge.stl", "leaks", "watertight"))
@@ -434,7 +438,7 @@ def test_bodyInFluid(contact: bool, tmp_path: Path) -> None:
     """Fluid where a body is is left out, and counted in the log."""
     run = bodyCase(tmp_path / "run", {
         "geometry/fluid": "( { type box; min (0 0 0); max (1 0.5 0.5); } )",
-        **({"contact": "{ stiffness node; factor 0.1; }"} if contact else {})}, endTime=0.001, writeInterval=0.001)
+        **(SPRINGS if contact else {})}, endTime=0.001, writeInterval=0.001)
     output = foam("plungeSPH", "-threads", 1, case=run)
     # The box takes 4 cells in each direction; the wedge's tip is at the surface, and so is the ball's lowest point
     assert "fluid: 1936, removed 64 in or near walls" in output
@@ -443,7 +447,7 @@ def test_bodyInFluid(contact: bool, tmp_path: Path) -> None:
 @pytest.mark.parametrize("contact", [False, True], ids=["particles", "contact"])
 def test_fastBody(contact: bool, tmp_path: Path) -> None:
     """A body that is faster than the speed of sound bears is warned of at the start, and marked."""
-    entries = {"contact": "{ stiffness node; factor 0.1; }"} if contact else {}
+    entries = SPRINGS if contact else {}
     run = bodyCase(tmp_path / "run", {"bodies/wedge_1/velocity": "(0 0 -10)", **entries}, endTime=0.002, writeInterval=0.002)
     output = foam("plungeSPH", "-threads", 1, case=run)
     assert output.index("c0 >= 10 v_max does not hold") < output.index("Starting time loop")
