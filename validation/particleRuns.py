@@ -88,7 +88,7 @@ def particles(file: Path) -> Dict[str, np.ndarray]:
 
 def runs(folder: Path) -> List[Tuple[float, Path]]:
     """Spacings and directories of a validation's complete runs, which spacings name, the coarsest first."""
-    complete = [(float(run.name), run) for run in (folder / "run").glob("*") if isComplete(run)]
+    complete = [(float(run.name), run) for run in (folder / "run").glob("0.*") if isComplete(run)]
     if not complete:
         raise SystemExit(f"{folder / 'run'}: no complete run: expected one at least, of Allrun")
     return sorted(complete, reverse=True)

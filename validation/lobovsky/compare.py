@@ -9,8 +9,8 @@ for the computed pressure to pass 0.5 first when the measured median does. A sen
 rate of 20 kHz; the computed pressure is that of particles in the support of the kernel at an instant.
 
 Sound in the computed liquid is slower than in water by a factor of 44, and rings: the longest wave that stands in the depth H has a
-period of 4H/c0. So each figure is also given of the pressure's mean over that period. Of plungeFoam's twins (twin.py) the pressure
-is as it comes."""
+period of 4H/c0. So each figure is also given of the pressure's mean over that period. Of the twins (twin.py), which are not judged,
+the pressure is as it comes."""
 import sys
 from pathlib import Path
 from typing import Dict, List, NamedTuple
@@ -20,7 +20,8 @@ import numpy as np
 
 FOLDER = Path(__file__).resolve().parent
 sys.path.insert(0, str(FOLDER.parent))
-from meshTwins import isComplete, numbers  # noqa: E402
+import meshTwins  # noqa: E402
+import particleRuns  # noqa: E402
 from particleRuns import cpuSeconds, runs, table  # noqa: E402
 from resultTable import Row, judge, least, show, write  # noqa: E402
 
@@ -63,11 +64,14 @@ def computed(run: Path) -> Pressures:
 
 
 def twins() -> Dict[str, Pressures]:
-    """Of plungeFoam, those that have been run, with even steps of 1 ms."""
+    """Those that have been run, with even steps of 1 ms."""
     result = {}
+    slipping = FOLDER / "run/slipParticles"
+    if particleRuns.isComplete(slipping):
+        result["spacing 5 mm, walls that slip"] = computed(slipping)
     for name, label in TWINS.items():
-        if isComplete(FOLDER / "run" / name):
-            data = numbers(FOLDER / "run" / name / "postProcessing/probes/0/p")
+        if meshTwins.isComplete(FOLDER / "run" / name):
+            data = meshTwins.numbers(FOLDER / "run" / name / "postProcessing/probes/0/p")
             even = np.arange(data[0, 0], data[-1, 0], 1e-3)
             result[label] = aligned(even, {sensor: np.interp(even, data[:, 0], data[:, i + 1]) for i, sensor in enumerate(SENSORS)})
     return result
@@ -142,8 +146,8 @@ def main() -> None:
             during = (data["T"] > 3) & (data["T"] < BEFORE_RETURN)
             rows.append(Row(f"spacing {1000*spacing:g} mm, {SENSORS[sensor]}: mean from T = 3 to 5.5, computed less one measured run",
                             float((P - data["P"])[during].mean()), "rho g H", cpu_s=cpu))
-    meshes = twins()
-    for name, result in meshes.items():
+    others = twins()
+    for name, result in others.items():
         P = np.interp(T, result.T, result.P["P2"])
         rows.append(Row(name + f", sensor 2: mean from T = 3.5 to 5.5; measured, median, {float(band['median'][steady].mean()):.3g}",
                         float(P[steady].mean()), "rho g H"))
@@ -152,7 +156,7 @@ def main() -> None:
         rows.append(Row(name + ", sensor 2: peak", float(P.max()), "rho g H"))
     write(FOLDER / "result.csv", rows)
     show(rows)
-    draw(results, meshes)
+    draw(results, {name: result for name, result in others.items() if name in TWINS.values()})
 
 
 if __name__ == "__main__":

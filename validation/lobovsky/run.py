@@ -19,7 +19,8 @@ ENTRIES = {
     "outputs/probes": "{ " + " ".join(f"{name} (1.61 {height} 0);" for name, height in HEIGHTS.items()) + " }",
 }
 
+# 7.1 of their units of time
+CONTROL = {"endTime": 1.25, "writeInterval": 0.05}
+
 if __name__ == "__main__":
-    # 7.1 of their units of time
-    resolutions("damBreakParticles", Path(__file__).resolve().parent, ENTRIES, default=(0.01, 0.005, 0.0025),
-                endTime=1.25, writeInterval=0.05)
+    resolutions("damBreakParticles", Path(__file__).resolve().parent, ENTRIES, default=(0.01, 0.005, 0.0025), **CONTROL)

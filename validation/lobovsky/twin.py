@@ -1,14 +1,16 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The same dam break in plungeFoam, twice: run/slip, whose walls slip, on cells of 10 mm, and run/boundaryLayer, with the true
-viscosity and cells of 0.5 mm at the floor and the end wall, which resolve the boundary layer: what of the pressure is friction's?"""
+"""What of the pressure is friction's? The same dam break in plungeFoam, twice: run/slip, whose walls slip, on cells of 10 mm, and
+run/boundaryLayer, with the true viscosity and cells of 0.5 mm at the floor and the end wall, which resolve the boundary layer;
+and with particles, on walls that slip, at a spacing of 5 mm: run/slipParticles."""
 import sys
 from pathlib import Path
 
 FOLDER = Path(__file__).resolve().parent
 sys.path.insert(0, str(FOLDER.parent))
+import particleRuns  # noqa: E402
 from meshTwins import solve  # noqa: E402
-from run import HEIGHTS  # noqa: E402
+from run import CONTROL, ENTRIES, HEIGHTS  # noqa: E402
 
 LENGTH, TOP = 1.61, 0.9
 
@@ -32,3 +34,7 @@ if __name__ == "__main__":
         solve(FOLDER / "run" / twin, blocks(number, graded), friction, [("(0 0 -1)", "(0.6 0.3 1)", 1)], "(0 -9.81 0)",
               "probes { type probes; libs (sampling); fields (p); writeControl timeStep; writeInterval 1;"
               f" probeLocations ({probes}); }}", 1.25)
+    slipping = FOLDER / "run/slipParticles"
+    if not slipping.exists():
+        particleRuns.setUp("damBreakParticles", slipping, {**ENTRIES, "geometry/spacing": 0.005, "walls": "slip"}, **CONTROL)
+    particleRuns.solve(slipping)

@@ -4,8 +4,8 @@
 
 When the gate opened is not known. So time is shifted for the computed force, mean of 10 ms, to pass 5 N first when the
 measured one does; the velocity counts from the arrival of the bore. Reference values are those of two digitisations of
-the measurement. Not judged: the noise, which is what a mean of 20 ms takes away while the force is steady; and the twin on a
-mesh (twin.py)."""
+the measurement. Not judged: the noise, which is what a mean of 20 ms takes away while the force is steady; and the
+twins on walls that slip (twin.py)."""
 import sys
 from pathlib import Path
 from typing import Dict, List, NamedTuple
@@ -15,8 +15,8 @@ import numpy as np
 
 FOLDER = Path(__file__).resolve().parent
 sys.path.insert(0, str(FOLDER.parent))
-from meshTwins import isComplete, numbers  # noqa: E402
-from particleRuns import cpuSeconds, runs, table  # noqa: E402
+import meshTwins  # noqa: E402
+from particleRuns import cpuSeconds, isComplete, runs, table  # noqa: E402
 from resultTable import Row, judge, show, write  # noqa: E402
 
 FIGURE = FOLDER.parents[1] / "docs/figures/yehPetroff.png"
@@ -71,13 +71,17 @@ def computed(run: Path) -> Dict[str, Series]:
     return aligned(evenly(walls["time_s"], walls["column_Fx_N"]), evenly(probes["time_s"], probes["upstream_Ux_m_s"]))
 
 
-def twin() -> Dict[str, Series]:
-    """Of plungeFoam; empty where it has not been run."""
-    run = FOLDER / "run/slip"
-    if not isComplete(run):
-        return {}
-    force, velocity = (numbers(run / "postProcessing" / file) for file in ("force/0/force.dat", "upstream/0/U"))
-    return aligned(evenly(force[:, 0], force[:, 1]), evenly(velocity[:, 0], velocity[:, 1]))
+def twins() -> Dict[str, Dict[str, Series]]:
+    """Those that have been run."""
+    result = {}
+    slipping, mesh = FOLDER / "run/slipParticles", FOLDER / "run/slip"
+    if isComplete(slipping):
+        result["spacing 15 mm, walls that slip"] = computed(slipping)
+    if meshTwins.isComplete(mesh):
+        force, velocity = (meshTwins.numbers(mesh / "postProcessing" / file) for file in ("force/0/force.dat", "upstream/0/U"))
+        result["plungeFoam, cells of 20 mm, walls that slip"] = aligned(evenly(force[:, 0], force[:, 1]),
+                                                                        evenly(velocity[:, 0], velocity[:, 1]))
+    return result
 
 
 def figures(force: Series) -> Dict[str, float]:
@@ -136,15 +140,14 @@ def main() -> None:
         for key in ("peak", "plateau", "impulse"):
             rows.append(Row(f"change of the {key} from spacing {1000*coarse:.4g} to {1000*fine:.4g} mm",
                             100*(found[fine][key]/found[coarse][key] - 1), "%"))
-    mesh = twin()
-    if mesh:
-        name = "plungeFoam, cells of 20 mm, walls that slip"
-        results[name] = mesh
-        rows += [Row(f"{name}: {what}", figures(mesh["force"])[key], unit) for what, key, unit in (
+    for name, result in twins().items():
+        results[name] = result
+        of = figures(result["force"])
+        rows += [Row(f"{name}: {what}", of[key], unit) for what, key, unit in (
             ("peak of the force, mean of 50 ms", "peak", "N"), ("force, mean of 0.55 to 0.75 s", "plateau", "N"),
             ("impulse, 0.33 to 1.30 s", "impulse", "N s"))]
         rows.append(Row(name + ": velocity upstream, 0.05 to 0.5 s after arrival: computed less measured, mean",
-                        short(measured, mesh["velocity"]), "m/s"))
+                        short(measured, result["velocity"]), "m/s"))
     write(FOLDER / "result.csv", rows)
     show(rows)
     draw(results)

@@ -1,11 +1,12 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The same bore in plungeFoam, run/slip: cells of 20 mm, walls that slip."""
+"""The same bore on walls that slip: run/slip in plungeFoam, on cells of 20 mm; run/slipParticles, at a spacing of 15 mm."""
 import sys
 from pathlib import Path
 
 FOLDER = Path(__file__).resolve().parent
 sys.path.insert(0, str(FOLDER.parent))
+import particleRuns  # noqa: E402
 from meshTwins import solve  # noqa: E402
 
 CELL = 0.02
@@ -53,3 +54,7 @@ if __name__ == "__main__":
           "force { type forces; libs (forces); patches (columnWall); CofR (0 0 0); writeControl timeStep; writeInterval 1; } "
           "upstream { type probes; libs (sampling); fields (U); writeControl timeStep; writeInterval 1;"
           " probeLocations ((0.814 0.31 0.026)); }", 1.5)
+    slipping = FOLDER / "run/slipParticles"
+    if not slipping.exists():
+        particleRuns.setUp("yehPetroff", slipping, {"geometry/spacing": 0.015, "walls": "slip"})
+    particleRuns.solve(slipping)
