@@ -83,9 +83,10 @@ void Foam::freeSurfaceFlow::reportScene(Ostream& os) const
 
     DynamicList<string> remarks;
 
-    const scalar Re = U*L/nu1;
-    os  << "    Re          : " << Re << " in " << phase1 << ", " << U*L/nu2
-        << " in " << phase2 << nl;
+    // A fluid may be ideal
+    const scalar Re = nu1 > 0 ? U*L/nu1 : 0;
+    os  << "    Re          : " << (nu1 > 0 ? name(Re) : "infinite") << " in " << phase1 << ", "
+        << (nu2 > 0 ? name(U*L/nu2) : "infinite") << " in " << phase2 << nl;
     if (Re > 5e5 && !scene_.turbulence())
     {
         remarks.append
