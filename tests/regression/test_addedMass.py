@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A body that the fluid's reaction outweighs, on a wall that moves and slips."""
+import math
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from addedMass import compare
+from tutorials import foam
 
 
 @pytest.mark.parametrize("ratio", (0.1, 10.0))
@@ -14,3 +17,22 @@ def test_release(ratio: float, tmp_path: Path) -> None:
     assert compare.isWhole(track, 0.2)
     assert track["vy_m_s"][-1] == pytest.approx((1 - ratio)/(1 + ratio)*0.2, rel=0.03)
     assert abs(track["vx_m_s"]).max() < 1e-3*abs(track["vy_m_s"][-1])
+    # What it was computed with: the mass that the circle displaces, and of no spin
+    expected = np.zeros((6, 6))
+    expected[0, 0] = expected[1, 1] = math.pi*compare.RADIUS**2
+    np.testing.assert_allclose(compare.tensor(tmp_path / "run", 0.2), expected, atol=0.01)
+
+
+def test_restart(tmp_path: Path) -> None:
+    """Stopped and restarted between two estimates of the added mass, the body goes on as if it had not been stopped."""
+    whole = compare.release(tmp_path / "whole", "plungeFoam", 0.1, (8, 16), 0.3)
+    run = tmp_path / "parts"
+    compare.release(run, "plungeFoam", 0.1, (8, 16), 0.15)
+    parameters = run / "system/parameters"
+    parameters.write_text(parameters.read_text().replace("end 0.15;", "end 0.3;"))
+    control = run / "system/controlDict"
+    control.write_text(control.read_text().replace("startTime;\n", "latestTime;\n", 1))
+    foam("plungeFoam", case=run)
+    again = np.genfromtxt(run / "postProcessing/trajectory/0.15/trajectory.csv", delimiter=",", names=True)
+    for column in ("y_m", "vy_m_s"):
+        np.testing.assert_allclose(again[column], whole[column][-len(again):], rtol=1e-8)

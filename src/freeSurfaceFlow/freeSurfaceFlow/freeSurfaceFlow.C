@@ -85,6 +85,7 @@ Foam::freeSurfaceFlow::freeSurfaceFlow(dynamicFvMesh& mesh)
     pimple_(mesh),
     composite_(compositeMesh::New(mesh)),
     body_(scene_.hasBody() ? new bodyMotion(mesh) : nullptr),
+    addedMass_(body_ && addedMassTensor::isWanted(body_()) ? new addedMassTensor(mesh, body_()) : nullptr),
     p_rgh_(readField("p_rgh", mesh), mesh),
     U_(readField("U", mesh), mesh),
     phi_

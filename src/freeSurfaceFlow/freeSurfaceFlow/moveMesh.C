@@ -11,6 +11,10 @@ void Foam::freeSurfaceFlow::moveMesh()
         return;
     }
 
+    if (addedMass_ && pimple_.firstIter())
+    {
+        addedMass_->update(rho_, p_rgh_, potentialTypes(), pimple_.nNonOrthCorr());
+    }
     mesh_.update();
 
     if (!mesh_.changing())

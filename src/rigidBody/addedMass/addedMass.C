@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "addedMass.H"
+#include "addedMassTensor.H"
 #include "addToRunTimeSelectionTable.H"
+#include "scalarMatrices.H"
 
 namespace Foam
 {
@@ -19,20 +21,15 @@ namespace
 
 using namespace Foam;
 
-//- (inertia + added) x_new = inertia x + added x_last, in body axes
-vector blend
-(
-    const vector& inertia,
-    const vector& added,
-    const vector& x,
-    const vector& xLast
-)
+//- Block of a matrix of blocks 3 x 3
+tensor block(const SquareMatrix<scalar>& matrix, const label i, const label j)
 {
-    return cmptDivide
-    (
-        cmptMultiply(inertia, x) + cmptMultiply(added, xLast),
-        inertia + added
-    );
+    tensor result;
+    for (label k = 0; k < 9; ++k)
+    {
+        result[k] = matrix(3*i + k/3, 3*j + k % 3);
+    }
+    return result;
 }
 
 
@@ -61,9 +58,37 @@ Foam::sixDoFSolvers::addedMass::addedMass
 )
 :
     sixDoFSolver(dict, body),
-    addedMass_(readEstimate(dict, "addedMass")),
-    addedInertia_(readEstimate(dict, "addedInertia"))
+    isGiven_(dict.found("addedMass") || dict.found("addedInertia")),
+    addedMass_(isGiven_ ? readEstimate(dict, "addedMass") : vector(Zero)),
+    addedInertia_(isGiven_ ? readEstimate(dict, "addedInertia") : vector(Zero))
 {}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::SquareMatrix<Foam::scalar> Foam::sixDoFSolvers::addedMass::estimate(const boolList& isFree) const
+{
+    if (isGiven_)
+    {
+        SquareMatrix<scalar> given(6, 6, Zero);
+        for (direction d = 0; d < 3; ++d)
+        {
+            given(d, d) = addedMass_[d];
+            given(3 + d, 3 + d) = addedInertia_[d];
+        }
+        return given;
+    }
+
+    auto* computed = body_.time().getObjectPtr<addedMassTensor>(addedMassTensor::registryName);
+    if (!computed)
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Entries addedMass and addedInertia are not there, and this solver does not compute them" << nl
+            << "Expected: both, or plungeFoam." << exit(FatalIOError);
+    }
+    computed->setFree(isFree);
+    return computed->tensor();
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -83,22 +108,49 @@ void Foam::sixDoFSolvers::addedMass::solve
     // Force over mass and torque, with the restraints
     updateAcceleration(fGlobal, tauGlobal);
 
+    // In body axes: accelerations, and what constraints leave of them
     const diagTensor& I = body_.momentOfInertia();
-    a() =
-        tConstraints()
-      & (
-            Q()
-          & blend
-            (
-                vector::uniform(body_.mass()),
-                addedMass_,
-                Q().T() & a(),
-                Q().T() & aLast
-            )
-        );
-    tau() =
-        rConstraints()
-      & blend(vector(I.xx(), I.yy(), I.zz()), addedInertia_, tau(), tauLast);
+    const diagTensor rI(1/I.xx(), 1/I.yy(), 1/I.zz());
+    const tensor free[2] = {Q().T() & tConstraints() & Q(), rConstraints()};
+    const tensor inertia[2] = {body_.mass()*tensor::I, tensor::I & I};
+    const vector unhindered[2] = {Q().T() & a(), rI & tau()};
+    const vector last[2] = {Q().T() & aLast, rI & tauLast};
+
+    boolList isFree(6);
+    forAll(isFree, k)
+    {
+        vector axis(Zero);
+        axis[k % 3] = 1;
+        isFree[k] = mag(free[k/3] & axis) > SMALL;
+    }
+    const SquareMatrix<scalar> added(estimate(isFree));
+
+    SquareMatrix<scalar> matrix(6, 6, Zero);
+    scalarField x(6);
+    for (label i = 0; i < 2; ++i)
+    {
+        vector source(inertia[i] & unhindered[i]);
+        for (label j = 0; j < 2; ++j)
+        {
+            const tensor A(block(added, i, j));
+            source += A & last[j];
+            tensor M(free[i] & (i == j ? inertia[i] + A : A) & free[j]);
+            if (i == j)
+            {
+                M += tensor::I - free[i];
+            }
+            for (label k = 0; k < 9; ++k)
+            {
+                matrix(3*i + k/3, 3*j + k % 3) = M[k];
+            }
+        }
+        source = free[i] & source;
+        std::copy(source.begin(), source.end(), x.begin() + 3*i);
+    }
+    LUsolve(matrix, x);
+
+    a() = tConstraints() & (Q() & vector(x[0], x[1], x[2]));
+    tau() = rConstraints() & (I & vector(x[3], x[4], x[5]));
 
     v() = tConstraints() & (v0() + aDamp()*deltaT*a());
     centreOfRotation() = centreOfRotation0() + deltaT*v();
