@@ -23,16 +23,18 @@ def test_release(ratio: float, tmp_path: Path) -> None:
     np.testing.assert_allclose(compare.tensor(tmp_path / "run", 0.2), expected, atol=0.01)
 
 
-def test_restart(tmp_path: Path) -> None:
-    """Stopped and restarted between two estimates of the added mass, the body goes on as if it had not been stopped."""
+@pytest.mark.parametrize("stop", (0.15, 0.19))
+def test_restart(stop: float, tmp_path: Path) -> None:
+    """Stopped and restarted between two estimates of the added mass, or just before one, the body goes on as if it had not been
+    stopped."""
     whole = compare.release(tmp_path / "whole", "plungeFoam", 0.1, (8, 16), 0.3)
     run = tmp_path / "parts"
-    compare.release(run, "plungeFoam", 0.1, (8, 16), 0.15)
+    compare.release(run, "plungeFoam", 0.1, (8, 16), stop)
     parameters = run / "system/parameters"
-    parameters.write_text(parameters.read_text().replace("end 0.15;", "end 0.3;"))
+    parameters.write_text(parameters.read_text().replace(f"end {stop};", "end 0.3;"))
     control = run / "system/controlDict"
     control.write_text(control.read_text().replace("startTime;\n", "latestTime;\n", 1))
     foam("plungeFoam", case=run)
-    again = np.genfromtxt(run / "postProcessing/trajectory/0.15/trajectory.csv", delimiter=",", names=True)
+    again = np.genfromtxt(run / "postProcessing/trajectory" / f"{stop:g}/trajectory.csv", delimiter=",", names=True)
     for column in ("y_m", "vy_m_s"):
         np.testing.assert_allclose(again[column], whole[column][-len(again):], rtol=1e-8)

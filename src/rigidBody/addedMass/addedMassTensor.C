@@ -68,7 +68,7 @@ void Foam::addedMassTensor::solve
         for (label i = 0; i <= nNonOrthogonal; ++i)
         {
             fvScalarMatrix eqn(fvm::laplacian(rRhof, P));
-            eqn.setReference(0, 0);
+            eqn.setReference(Pstream::master() ? 0 : -1, 0);
             eqn.solve(mesh_.solver(p.name()));
         }
         for (label j = 0; j < 6; ++j)
@@ -127,7 +127,6 @@ Foam::addedMassTensor::addedMassTensor(const fvMesh& mesh, const bodyMotion& bod
     mesh_(mesh),
     body_(body),
     interval_(body.integrator().getOrDefault<label>("interval", 20)),
-    isRead_(found("tensor")),
     tensor_(6, 6, Zero),
     isFree_(6, true),
     pressures_(6)
@@ -138,7 +137,7 @@ Foam::addedMassTensor::addedMassTensor(const fvMesh& mesh, const bodyMotion& bod
             << "Entry interval is " << interval_ << nl
             << "Expected: 1 or more time steps." << exit(FatalIOError);
     }
-    if (isRead_)
+    if (found("tensor"))
     {
         const scalarList values(get<scalarList>("tensor"));
         forAll(values, i)
@@ -166,12 +165,10 @@ void Foam::addedMassTensor::update
     const label nNonOrthogonal
 )
 {
-    const bool isFirst = !found("tensor");
-    if (isFirst || (mesh_.time().timeIndex() % interval_ == 0 && !isRead_))
+    if (!found("tensor") || mesh_.time().timeIndex() % interval_ == 0)
     {
         solve(rho, p, types, nNonOrthogonal);
     }
-    isRead_ = false;
 }
 
 // ************************************************************************* //
