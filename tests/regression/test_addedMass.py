@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A body that the fluid's reaction outweighs, on a wall that moves and slips."""
 import math
+import shutil
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from addedMass import compare
-from tutorials import foam
+from tutorials import copy, foam, solve
 
 
 @pytest.mark.parametrize("ratio", (0.1, 10.0))
@@ -38,3 +39,14 @@ def test_restart(stop: float, tmp_path: Path) -> None:
     again = np.genfromtxt(run / "postProcessing/trajectory" / f"{stop:g}/trajectory.csv", delimiter=",", names=True)
     for column in ("y_m", "vy_m_s"):
         np.testing.assert_allclose(again[column], whole[column][-len(again):], rtol=1e-8)
+
+
+def test_ranks(tmp_path: Path) -> None:
+    """Two ranks move the body as one does."""
+    serial = compare.release(tmp_path / "serial", "plungeFoam", 0.1, (8, 16), 0.1)
+    run = copy(tmp_path / "serial", "parallel")
+    for old in ("0.1", "postProcessing"):
+        shutil.rmtree(run / old)
+    solve(run, "plungeFoam", ranks=2)
+    parallel = np.genfromtxt(run / "postProcessing/trajectory/0/trajectory.csv", delimiter=",", names=True)
+    np.testing.assert_allclose(parallel["vy_m_s"], serial["vy_m_s"], rtol=1e-6)
