@@ -42,10 +42,10 @@ def test_restart(stop: float, tmp_path: Path) -> None:
 
 
 def test_ranks(tmp_path: Path) -> None:
-    """Two ranks move the body as one does."""
-    serial = compare.release(tmp_path / "serial", "plungeFoam", 0.1, (8, 16), 0.1)
+    """Two ranks move the body as one does, also after the second estimate."""
+    serial = compare.release(tmp_path / "serial", "plungeFoam", 0.1, (8, 16), 0.25)
     run = copy(tmp_path / "serial", "parallel")
-    for old in ("0.1", "postProcessing"):
+    for old in ("0.25", "postProcessing"):
         shutil.rmtree(run / old)
     solve(run, "plungeFoam", ranks=2)
     parallel = np.genfromtxt(run / "postProcessing/trajectory/0/trajectory.csv", delimiter=",", names=True)

@@ -37,6 +37,9 @@ void Foam::addedMassTensor::solve
     }
     const surfaceScalarField rRhof("rRhof", fvc::interpolate(1/rho));
 
+    // Only the master moves the body, and knows its constraints
+    Pstream::scatter(isFree_);
+
     for (label k = 0; k < 6; ++k)
     {
         if (!isFree_[k])
