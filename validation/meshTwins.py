@@ -4,27 +4,16 @@ is the method's from what is the walls' or the scene's.
 
 limitedLinear takes no gradient from the wall, as linearUpwind does, which would rub like one on cells that are thicker than
 the boundary layer."""
-import os
 import re
 import subprocess
 from pathlib import Path
 from typing import Sequence, Tuple
 
 import numpy as np
-from particleRuns import CONTROL, REPOSITORY, setEntry
+from particleRuns import CONTROL, REPOSITORY, call, isComplete, setEntry
 
-LOG = "log.plungeFoam"
+SOLVER = "plungeFoam"
 Box = Tuple[str, str, float]  # its least and its largest corner, and the share of water in its cells
-
-
-def isComplete(run: Path) -> bool:
-    """Has it come to its end?"""
-    return (run / LOG).exists() and (run / LOG).read_text().rstrip().endswith("End")
-
-
-def call(run: Path, *command: str) -> None:
-    with (run / f"log.{command[0]}").open("w") as log:
-        subprocess.run(command, cwd=run, check=True, env={**os.environ, "PWD": str(run)}, stdout=log, stderr=subprocess.STDOUT)
 
 
 def solve(run: Path, blocks: str, friction: str, water: Sequence[Box], gravity: str, functions: str,
@@ -33,11 +22,11 @@ def solve(run: Path, blocks: str, friction: str, water: Sequence[Box], gravity: 
 
     blocks: vertices, blocks and boundary of blockMeshDict: patches whose names end with Wall, and atmosphere; friction: slip or
     noSlip; functions: function objects; endTime [s]."""
-    if isComplete(run):
+    if isComplete(run, SOLVER):
         return
     print(f"Running in {run}", flush=True)
     if not run.exists():
-        subprocess.run([str(REPOSITORY / "validation/stockTutorials/setUp"), "-application", "plungeFoam", "-endTime", str(endTime),
+        subprocess.run([str(REPOSITORY / "validation/stockTutorials/setUp"), "-application", SOLVER, "-endTime", str(endTime),
                         "damBreak", str(run)], check=True, stdout=subprocess.DEVNULL)
         (run / "system/blockMeshDict").write_text("FoamFile { version 2.0; format ascii; class dictionary; object blockMeshDict; }\n"
                                                   + blocks)
@@ -55,7 +44,7 @@ def solve(run: Path, blocks: str, friction: str, water: Sequence[Box], gravity: 
             setEntry(run, CONTROL, entry, value)
         call(run, "blockMesh")
         call(run, "setFields")
-    call(run, "plungeFoam")
+    call(run, SOLVER)
 
 
 def numbers(file: Path) -> np.ndarray:

@@ -35,19 +35,32 @@ def setUp(case: str, run: Path, entries: Mapping[str, object] = {}, **control: o
     return run
 
 
-def isComplete(run: Path) -> bool:
+def isComplete(run: Path, solver: str = "plungeSPH") -> bool:
     """Has it come to its end?"""
-    log = run / LOG
+    log = run / f"log.{solver}"
     return log.exists() and log.read_text().rstrip().endswith("End")
+
+
+def call(run: Path, program: str, *options: object, check: bool = True, mode: str = "w") -> None:
+    """Runs a program of OpenFOAM there, into its log; mode is that of opening the log."""
+    with (run / f"log.{program}").open(mode) as log:
+        # OpenFOAM takes a PWD that is not the working directory for a mistake
+        subprocess.run([program, *map(str, options)], cwd=run, check=check, env={**os.environ, "PWD": str(run)}, stdout=log,
+                       stderr=subprocess.STDOUT)
 
 
 def solve(run: Path, *options: object) -> None:
     """Runs plungeSPH with its options to the end, from where it was stopped if it was; a run that is complete stays."""
     if not isComplete(run):
-        with (run / LOG).open("a") as log:
-            # OpenFOAM takes a PWD that is not the working directory for a mistake
-            subprocess.run(["plungeSPH", *map(str, options)], cwd=run, check=True, env={**os.environ, "PWD": str(run)}, stdout=log,
-                           stderr=subprocess.STDOUT)
+        call(run, "plungeSPH", *options, mode="a")
+
+
+def solveCase(case: str, run: Path, entries: Mapping[str, object], *options: object, **control: object) -> None:
+    """Sets a case up with other entries, unless it is there, and runs it to its end."""
+    if not run.exists():
+        setUp(case, run, entries, **control)
+    print(f"Running in {run}", flush=True)
+    solve(run, *options)
 
 
 def cpuSeconds(run: Path) -> float:
@@ -88,7 +101,7 @@ def particles(file: Path) -> Dict[str, np.ndarray]:
 
 def runs(folder: Path) -> List[Tuple[float, Path]]:
     """Spacings and directories of a validation's complete runs, which spacings name, the coarsest first."""
-    complete = [(float(run.name), run) for run in (folder / "run").glob("0.*") if isComplete(run)]
+    complete = [(float(run.name), run) for run in (folder / "run").glob("[0-9]*") if isComplete(run)]
     if not complete:
         raise SystemExit(f"{folder / 'run'}: no complete run: expected one at least, of Allrun")
     return sorted(complete, reverse=True)
@@ -100,8 +113,4 @@ def resolutions(case: str, folder: Path, entries: Mapping[str, object] = {}, def
     words = sys.argv[1:]
     n = next((i for i, word in enumerate(words) if word.startswith("-")), len(words))
     for spacing in map(float, words[:n] or default):
-        run = folder / "run" / f"{spacing:g}"
-        if not run.exists():
-            setUp(case, run, {**entries, "geometry/spacing": spacing}, **control)
-        print(f"Running in {run}", flush=True)
-        solve(run, *words[n:])
+        solveCase(case, folder / "run" / f"{spacing:g}", {**entries, "geometry/spacing": spacing}, *words[n:], **control)

@@ -7,10 +7,8 @@ A circle of radius 0.5 m is released from rest under a gravity of 1 m/s2, at rat
 against Kirchhoff and Kelvin's equations (reference/ellipse.csv). One mesh moves with the body. plungeFoam with the
 integrator addedMass and OpenFOAM's interFoam with Newmark, no relaxation: the same cases, meshes and time steps, one pass for each."""
 import math
-import os
 import re
 import shutil
-import subprocess
 import sys
 from pathlib import Path
 from typing import Dict, List, Tuple
@@ -20,6 +18,7 @@ import numpy as np
 
 FOLDER = Path(__file__).resolve().parent
 sys.path.insert(0, str(FOLDER.parent))
+from particleRuns import call  # noqa: E402
 from resultTable import Row, judge, show, write  # noqa: E402
 
 FIGURE = FOLDER.parents[1] / "docs/figures/addedMass.png"
@@ -73,11 +72,8 @@ def run(directory: Path, solver: str, axes: Tuple[float, float], cells: Tuple[in
             (directory / "constant/sceneProperties").write_text(
                 "FoamFile { version 2.0; format ascii; class dictionary; object sceneProperties; }\ninitialFlow potential;\n")
         print(f"Running in {directory}", flush=True)
-        for command in ("blockMesh", solver):
-            with (directory / f"log.{command}").open("w") as log:
-                done = subprocess.run([command], cwd=directory, env={**os.environ, "PWD": str(directory)}, stdout=log, stderr=subprocess.STDOUT)
-            if command == "blockMesh":
-                done.check_returncode()
+        call(directory, "blockMesh")
+        call(directory, solver, check=False)
     return np.atleast_1d(np.genfromtxt(directory / "postProcessing/trajectory/0/trajectory.csv", delimiter=",", names=True))
 
 

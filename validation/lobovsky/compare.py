@@ -21,8 +21,7 @@ import numpy as np
 FOLDER = Path(__file__).resolve().parent
 sys.path.insert(0, str(FOLDER.parent))
 import meshTwins  # noqa: E402
-import particleRuns  # noqa: E402
-from particleRuns import cpuSeconds, runs, table  # noqa: E402
+from particleRuns import cpuSeconds, isComplete, runs, table  # noqa: E402
 from resultTable import Row, judge, least, show, write  # noqa: E402
 
 FIGURE = FOLDER.parents[1] / "docs/figures/lobovsky.png"
@@ -67,10 +66,10 @@ def twins() -> Dict[str, Pressures]:
     """Those that have been run, with even steps of 1 ms."""
     result = {}
     slipping = FOLDER / "run/slipParticles"
-    if particleRuns.isComplete(slipping):
+    if isComplete(slipping):
         result["spacing 5 mm, walls that slip"] = computed(slipping)
     for name, label in TWINS.items():
-        if meshTwins.isComplete(FOLDER / "run" / name):
+        if isComplete(FOLDER / "run" / name, meshTwins.SOLVER):
             data = meshTwins.numbers(FOLDER / "run" / name / "postProcessing/probes/0/p")
             even = np.arange(data[0, 0], data[-1, 0], 1e-3)
             result[label] = aligned(even, {sensor: np.interp(even, data[:, 0], data[:, i + 1]) for i, sensor in enumerate(SENSORS)})

@@ -8,8 +8,8 @@ from pathlib import Path
 
 FOLDER = Path(__file__).resolve().parent
 sys.path.insert(0, str(FOLDER.parent))
-import particleRuns  # noqa: E402
 from meshTwins import solve  # noqa: E402
+from particleRuns import solveCase  # noqa: E402
 from run import CONTROL, ENTRIES, HEIGHTS  # noqa: E402
 
 LENGTH, TOP = 1.61, 0.9
@@ -34,7 +34,4 @@ if __name__ == "__main__":
         solve(FOLDER / "run" / twin, blocks(number, graded), friction, [("(0 0 -1)", "(0.6 0.3 1)", 1)], "(0 -9.81 0)",
               "probes { type probes; libs (sampling); fields (p); writeControl timeStep; writeInterval 1;"
               f" probeLocations ({probes}); }}", 1.25)
-    slipping = FOLDER / "run/slipParticles"
-    if not slipping.exists():
-        particleRuns.setUp("damBreakParticles", slipping, {**ENTRIES, "geometry/spacing": 0.005, "walls": "slip"}, **CONTROL)
-    particleRuns.solve(slipping)
+    solveCase("damBreakParticles", FOLDER / "run/slipParticles", {**ENTRIES, "geometry/spacing": 0.005, "walls": "slip"}, **CONTROL)

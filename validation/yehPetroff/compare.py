@@ -77,7 +77,7 @@ def twins() -> Dict[str, Dict[str, Series]]:
     slipping, mesh = FOLDER / "run/slipParticles", FOLDER / "run/slip"
     if isComplete(slipping):
         result["spacing 15 mm, walls that slip"] = computed(slipping)
-    if meshTwins.isComplete(mesh):
+    if isComplete(mesh, meshTwins.SOLVER):
         force, velocity = (meshTwins.numbers(mesh / "postProcessing" / file) for file in ("force/0/force.dat", "upstream/0/U"))
         result["plungeFoam, cells of 20 mm, walls that slip"] = aligned(evenly(force[:, 0], force[:, 1]),
                                                                         evenly(velocity[:, 0], velocity[:, 1]))

@@ -6,8 +6,8 @@ from pathlib import Path
 
 FOLDER = Path(__file__).resolve().parent
 sys.path.insert(0, str(FOLDER.parent))
-import particleRuns  # noqa: E402
 from meshTwins import solve  # noqa: E402
+from particleRuns import solveCase  # noqa: E402
 
 CELL = 0.02
 X, Y, Z = (0, 0.9, 1.02, 1.6), (0, 0.25, 0.37, 0.61), (0, 0.76)
@@ -54,7 +54,4 @@ if __name__ == "__main__":
           "force { type forces; libs (forces); patches (columnWall); CofR (0 0 0); writeControl timeStep; writeInterval 1; } "
           "upstream { type probes; libs (sampling); fields (U); writeControl timeStep; writeInterval 1;"
           " probeLocations ((0.814 0.31 0.026)); }", 1.5)
-    slipping = FOLDER / "run/slipParticles"
-    if not slipping.exists():
-        particleRuns.setUp("yehPetroff", slipping, {"geometry/spacing": 0.015, "walls": "slip"})
-    particleRuns.solve(slipping)
+    solveCase("yehPetroff", FOLDER / "run/slipParticles", {"geometry/spacing": 0.015, "walls": "slip"})

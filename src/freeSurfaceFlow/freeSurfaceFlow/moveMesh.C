@@ -11,9 +11,9 @@ void Foam::freeSurfaceFlow::moveMesh()
         return;
     }
 
-    if (addedMass_ && pimple_.firstIter())
+    if (addedMass_ && pimple_.firstIter() && addedMass_->isDue())
     {
-        addedMass_->update(rho_, p_rgh_, potentialTypes(), pimple_.nNonOrthCorr());
+        addedMass_->solve(rho_, p_rgh_, potentialTypes(), pimple_.nNonOrthCorr());
     }
     mesh_.update();
 

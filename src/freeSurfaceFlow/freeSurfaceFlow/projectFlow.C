@@ -3,7 +3,6 @@
 #include "freeSurfaceFlow.H"
 #include "CorrectPhi.H"
 #include "adjustPhi.H"
-#include "fixedGradientFvPatchFields.H"
 #include "fixedValueFvPatchFields.H"
 #include "fvc.H"
 #include "fvm.H"
@@ -103,18 +102,12 @@ void Foam::freeSurfaceFlow::startImpulsively()
 
     // Impulsive pressure: where a wall moves its gradient gives the fluid the
     // wall's normal velocity
-    wordList types(potentialTypes());
-    for (const label patchi : body_->patches())
-    {
-        types[patchi] = fixedGradientFvPatchScalarField::typeName;
-    }
-
     volScalarField impulse
     (
         IOobject("impulse", time_.timeName(), mesh_),
         mesh_,
         dimensionedScalar(p_rgh_.dimensions()*dimTime, Zero),
-        types
+        body_->drivenTypes(potentialTypes())
     );
     mesh_.setFluxRequired(impulse.name());
 
@@ -123,13 +116,9 @@ void Foam::freeSurfaceFlow::startImpulsively()
 
     for (const label patchi : body_->patches())
     {
-        const fvPatch& patch = mesh_.boundary()[patchi];
-        const vectorField wall(body_->velocity(patch.Cf()));
+        const vectorField wall(body_->velocity(mesh_.boundary()[patchi].Cf()));
         U_.boundaryFieldRef()[patchi] == wall;
-        refCast<fixedGradientFvPatchScalarField>
-        (
-            impulse.boundaryFieldRef()[patchi]
-        ).gradient() = -(wall & patch.nf())/rRhof.boundaryField()[patchi];
+        body_->drive(impulse, rRhof, patchi, wall);
     }
 
     while (pimple_.correctNonOrthogonal())

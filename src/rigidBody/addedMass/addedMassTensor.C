@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "addedMassTensor.H"
-#include "fixedGradientFvPatchFields.H"
 #include "fvc.H"
 #include "fvm.H"
 
@@ -19,95 +18,6 @@ Foam::tmp<Foam::vectorField> Foam::addedMassTensor::unitAcceleration
     axis[k % 3] = 1;
     axis = body_.orientation() & axis;
     return k < 3 ? tmp<vectorField>::New(x.size(), axis) : axis ^ (x - body_.centreOfMass());
-}
-
-
-void Foam::addedMassTensor::solve
-(
-    const volScalarField& rho,
-    const volScalarField& p,
-    const wordList& types,
-    const label nNonOrthogonal
-)
-{
-    wordList all(types);
-    for (const label patchi : body_.patches())
-    {
-        all[patchi] = fixedGradientFvPatchScalarField::typeName;
-    }
-    const surfaceScalarField rRhof("rRhof", fvc::interpolate(1/rho));
-
-    // Only the master moves the body, and knows its constraints
-    Pstream::scatter(isFree_);
-
-    for (label k = 0; k < 6; ++k)
-    {
-        if (!isFree_[k])
-        {
-            continue;
-        }
-        if (!pressures_.set(k))
-        {
-            pressures_.set
-            (
-                k,
-                new volScalarField
-                (
-                    IOobject("addedMassPressure", mesh_.time().timeName(), mesh_, IOobject::NO_READ, IOobject::NO_WRITE, false),
-                    mesh_,
-                    dimensionedScalar(p.dimensions(), Zero),
-                    all
-                )
-            );
-            mesh_.setFluxRequired(pressures_[k].name());
-        }
-        volScalarField& P = pressures_[k];
-        for (const label patchi : body_.patches())
-        {
-            const fvPatch& patch = mesh_.boundary()[patchi];
-            refCast<fixedGradientFvPatchScalarField>(P.boundaryFieldRef()[patchi]).gradient() =
-                -(unitAcceleration(k, patch.Cf()) & patch.nf())/rRhof.boundaryField()[patchi];
-        }
-        for (label i = 0; i <= nNonOrthogonal; ++i)
-        {
-            fvScalarMatrix eqn(fvm::laplacian(rRhof, P));
-            eqn.setReference(Pstream::master() ? 0 : -1, 0);
-            eqn.solve(mesh_.solver(p.name()));
-        }
-        for (label j = 0; j < 6; ++j)
-        {
-            scalar force = 0;
-            for (const label patchi : body_.patches())
-            {
-                const fvPatch& patch = mesh_.boundary()[patchi];
-                force += sum(P.boundaryField()[patchi]*(unitAcceleration(j, patch.Cf()) & patch.Sf()));
-            }
-            tensor_(j, k) = -returnReduce(force, sumOp<scalar>());
-        }
-    }
-
-    // It is symmetric but for the errors of the solutions
-    for (label j = 0; j < 6; ++j)
-    {
-        for (label k = 0; k < 6; ++k)
-        {
-            if (!isFree_[j] || !isFree_[k])
-            {
-                tensor_(j, k) = 0;
-            }
-            else if (k < j)
-            {
-                tensor_(j, k) = tensor_(k, j) = 0.5*(tensor_(j, k) + tensor_(k, j));
-            }
-        }
-    }
-
-    scalarList values(36);
-    forAll(values, i)
-    {
-        values[i] = tensor_(i/6, i % 6);
-    }
-    set("tensor", values);
 }
 
 
@@ -160,7 +70,8 @@ bool Foam::addedMassTensor::isWanted(const bodyMotion& body)
 }
 
 
-void Foam::addedMassTensor::update
+
+void Foam::addedMassTensor::solve
 (
     const volScalarField& rho,
     const volScalarField& p,
@@ -168,10 +79,77 @@ void Foam::addedMassTensor::update
     const label nNonOrthogonal
 )
 {
-    if (!found("tensor") || mesh_.time().timeIndex() % interval_ == 0)
+    const surfaceScalarField rRhof("rRhof", fvc::interpolate(1/rho));
+
+    // Only the master moves the body, and knows its constraints
+    Pstream::scatter(isFree_);
+
+    for (label k = 0; k < 6; ++k)
     {
-        solve(rho, p, types, nNonOrthogonal);
+        if (!isFree_[k])
+        {
+            continue;
+        }
+        if (!pressures_.set(k))
+        {
+            pressures_.set
+            (
+                k,
+                new volScalarField
+                (
+                    IOobject("addedMassPressure", mesh_.time().timeName(), mesh_, IOobject::NO_READ, IOobject::NO_WRITE, false),
+                    mesh_,
+                    dimensionedScalar(p.dimensions(), Zero),
+                    body_.drivenTypes(types)
+                )
+            );
+            mesh_.setFluxRequired(pressures_[k].name());
+        }
+        volScalarField& P = pressures_[k];
+        for (const label patchi : body_.patches())
+        {
+            body_.drive(P, rRhof, patchi, unitAcceleration(k, mesh_.boundary()[patchi].Cf()));
+        }
+        for (label i = 0; i <= nNonOrthogonal; ++i)
+        {
+            fvScalarMatrix eqn(fvm::laplacian(rRhof, P));
+            eqn.setReference(Pstream::master() ? 0 : -1, 0);
+            eqn.solve(mesh_.solver(p.name()));
+        }
+        for (label j = 0; j < 6; ++j)
+        {
+            scalar force = 0;
+            for (const label patchi : body_.patches())
+            {
+                const fvPatch& patch = mesh_.boundary()[patchi];
+                force += sum(P.boundaryField()[patchi]*(unitAcceleration(j, patch.Cf()) & patch.Sf()));
+            }
+            tensor_(j, k) = -returnReduce(force, sumOp<scalar>());
+        }
     }
+
+    // It is symmetric but for the errors of the solutions
+    for (label j = 0; j < 6; ++j)
+    {
+        for (label k = 0; k < 6; ++k)
+        {
+            if (!isFree_[j] || !isFree_[k])
+            {
+                tensor_(j, k) = 0;
+            }
+            else if (k < j)
+            {
+                tensor_(j, k) = tensor_(k, j) = 0.5*(tensor_(j, k) + tensor_(k, j));
+            }
+        }
+    }
+
+    scalarList values(36);
+    forAll(values, i)
+    {
+        values[i] = tensor_(i/6, i % 6);
+    }
+    set("tensor", values);
 }
 
 // ************************************************************************* //

@@ -2,6 +2,7 @@
 
 #include "bodyMotion.H"
 #include "bodyCoefficients.H"
+#include "fixedGradientFvPatchFields.H"
 #include "sixDoFRigidBodyMotionSolver.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -131,6 +132,33 @@ Foam::bodyLoads Foam::bodyMotion::fluidLoads() const
     }
 
     return forces_->calculate(motion_.centreOfMass());
+}
+
+
+Foam::wordList Foam::bodyMotion::drivenTypes(const wordList& types) const
+{
+    wordList driven(types);
+    for (const label patchi : patches_)
+    {
+        driven[patchi] = fixedGradientFvPatchScalarField::typeName;
+    }
+    return driven;
+}
+
+
+void Foam::bodyMotion::drive
+(
+    volScalarField& pressure,
+    const surfaceScalarField& rRhof,
+    const label patchi,
+    const vectorField& wall
+) const
+{
+    refCast<fixedGradientFvPatchScalarField>
+    (
+        pressure.boundaryFieldRef()[patchi]
+    ).gradient() =
+        -(wall & mesh_.boundary()[patchi].nf())/rRhof.boundaryField()[patchi];
 }
 
 
