@@ -285,13 +285,7 @@ def mesh_sections(dive: Dive, path: StraightPath) -> list[tuple[str, dict[str, A
         shells.append([radius, level])
         radius += 4 * cell / 2 ** (level - 1)
 
-    # The search for donor cells covers where the body mesh can get to.
     finest = cell / 2 ** tier["refinementLevels"] / resolution
-    margin = 0.35 * length
-    box = np.array([np.minimum(path.start, path.end) - margin, np.maximum(path.start, path.end) + margin])
-    box[0, 1] = -margin if full else 0.0
-    def voxels(cells_each: float) -> list[int]:
-        return [ceil(span / (cells_each * finest)) for span in box[1] - box[0]]
 
     # An estimate, for the scheduler: cells from the shells' volumes, the rest from runs of the fast tier.
     quads = 4 * size.cap_cells * (size.axial_cells - 2 * (size.cap_cells + size.ring_cells)) \
@@ -320,8 +314,6 @@ def mesh_sections(dive: Dive, path: StraightPath) -> list[tuple[str, dict[str, A
             "pathStart": _vector(path.start), "pathEnd": _vector(path.end),
             "finestSpacing": finest,
             "refinementShells": shells,
-            "searchBoxMin": _vector(box[0]), "searchBoxMax": _vector(box[1]),
-            "backgroundVoxels": voxels(2), "bodyVoxels": voxels(0.5),
         }),
         ("Run", {
             "cores": p["cores"], "estimatedCells": round(all_cells, -3),

@@ -6,6 +6,12 @@ void Foam::freeSurfaceFlow::advectInterface()
 {
     scheme_->advect();
 
+    if (fringeVolume_)
+    {
+        fringeVolume_->conserve(mixture_.alpha1(), scheme_->alphaPhi());
+        mixture_.alpha2() = scalar(1) - mixture_.alpha1();
+    }
+
     rho_ ==
         mixture_.alpha1()*mixture_.rho1() + mixture_.alpha2()*mixture_.rho2();
 

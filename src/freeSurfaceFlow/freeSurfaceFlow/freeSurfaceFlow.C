@@ -157,6 +157,12 @@ Foam::freeSurfaceFlow::freeSurfaceFlow(dynamicFvMesh& mesh)
             }
         )
     ),
+    fringeVolume_
+    (
+        composite_ && scene_.conservesFringe()
+      ? new fringeVolume(*composite_, mixture_.alpha1())
+      : nullptr
+    ),
     buoyancy_(scene_.gravity() ? new buoyancy(mesh) : nullptr),
     p_
     (

@@ -29,6 +29,12 @@ Foam::scene::initialFlowTypeNames
     { initialFlowType::potential, "potential" },
 });
 
+const Foam::Enum<Foam::scene::fringeType> Foam::scene::fringeTypeNames
+({
+    { fringeType::interpolated, "interpolated" },
+    { fringeType::conserved, "conserved" },
+});
+
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -78,7 +84,7 @@ void Foam::scene::checkKeywords() const
     const wordHashSet known
     ({
         "FoamFile", "body", "meshMotion", "compressibility", "gravity",
-        "surfaceTension", "turbulence", "interface", "initialFlow",
+        "surfaceTension", "turbulence", "interface", "initialFlow", "fringe",
         "ambientPressure", "reference"
     });
 
@@ -143,6 +149,15 @@ Foam::scene::scene(const fvMesh& mesh)
             dict_,
             initialFlowType::fields
         )
+    ),
+    fringe_
+    (
+        fringeTypeNames.lookupOrDefault
+        (
+            "fringe",
+            dict_,
+            fringeType::interpolated
+        )
     )
 {
     checkKeywords();
@@ -172,6 +187,13 @@ Foam::scene::scene(const fvMesh& mesh)
         "simulationType in constant/turbulenceProperties"
     );
 
+    if (conservesFringe() && meshMotion_ != motionType::overset)
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Entry fringe is conserved, but the mesh is not overset" << nl
+            << "Expected: no entry fringe." << exit(FatalIOError);
+    }
+
     const word compressibility
     (
         dict_.lookupOrDefault<word>("compressibility", "none")
@@ -199,6 +221,11 @@ void Foam::scene::print(Ostream& os) const
         << ", surface tension " << onOff(surfaceTension_)
         << ", turbulence " << onOff(turbulence_)
         << ", initial flow " << initialFlowTypeNames[initialFlow_]
+        << (
+               meshMotion_ == motionType::overset
+             ? ", fringe " + fringeTypeNames[fringe_]
+             : word()
+           )
         << ", both fluids incompressible";
 }
 

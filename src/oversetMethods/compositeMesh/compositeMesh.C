@@ -5,6 +5,7 @@
 #include "dynamicOversetFvMesh.H"
 #include "fvScalarMatrix.H"
 #include "localMin.H"
+#include "mapDistribute.H"
 #include "oversetFvPatch.H"
 #include "zeroGradientFvPatchFields.H"
 
@@ -106,6 +107,38 @@ Foam::tmp<Foam::scalarField> Foam::compositeMesh::calculatedCells() const
             (types[celli] == cellCellStencil::CALCULATED ? 1 : 0);
     }
     return tcalculated;
+}
+
+
+Foam::tmp<Foam::scalarField> Foam::compositeMesh::donorCells() const
+{
+    const cellCellStencil& stencil = Stencil::New(mesh_);
+    const mapDistribute& map = stencil.cellInterpolationMap();
+
+    // Slots that are used, back to where they come from
+    scalarField used(map.constructSize(), Zero);
+    for (const label celli : stencil.interpolationCells())
+    {
+        for (const label slot : stencil.cellStencil()[celli])
+        {
+            used[slot] = 1;
+        }
+    }
+    mapDistributeBase::distribute
+    (
+        Pstream::commsTypes::nonBlocking,
+        List<labelPair>(),
+        mesh_.nCells(),
+        map.constructMap(),
+        false,
+        map.subMap(),
+        false,
+        used,
+        maxEqOp<scalar>(),
+        flipOp(),
+        scalar(0)
+    );
+    return used*calculatedCells();
 }
 
 

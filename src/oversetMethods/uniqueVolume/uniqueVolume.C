@@ -6,6 +6,13 @@
 #include "oversetFvPatch.H"
 #include "ListListOps.H"
 
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    defineTypeNameAndDebug(uniqueVolume, 0);
+}
+
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace
@@ -190,31 +197,8 @@ Foam::uniqueVolume::oversetBoundary() const
 }
 
 
-// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
-
-Foam::uniqueVolume::uniqueVolume(const fvMesh& mesh)
-:
-    mesh_(mesh),
-    overset_(isA<dynamicOversetFvMesh>(mesh)),
-    weights_(mesh.nCells(), 1)
+void Foam::uniqueVolume::setWeights()
 {
-    if (overset_)
-    {
-        setBackground();
-        update();
-    }
-}
-
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::uniqueVolume::update()
-{
-    if (!overset_)
-    {
-        return;
-    }
-
     weights_ = 1;
     const scalarField covered(coveredVolume(boxes_, oversetBoundary()));
     const scalarField& V = mesh_.cellVolumes();
@@ -223,6 +207,40 @@ void Foam::uniqueVolume::update()
         const label celli = cells_[i];
         weights_[celli] = max(scalar(0), 1 - covered[i]/V[celli]);
     }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::uniqueVolume::uniqueVolume(const fvMesh& mesh)
+:
+    MeshObject<fvMesh, MoveableMeshObject, uniqueVolume>(mesh),
+    overset_(isA<dynamicOversetFvMesh>(mesh)),
+    weights_(mesh.nCells(), 1)
+{
+    if (overset_)
+    {
+        setBackground();
+        setWeights();
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::uniqueVolume::movePoints()
+{
+    if (overset_)
+    {
+        setWeights();
+    }
+    return true;
+}
+
+
+Foam::scalar Foam::uniqueVolume::of(const scalarField& fraction) const
+{
+    return gSum(fraction*weights_*mesh_.cellVolumes());
 }
 
 

@@ -28,7 +28,6 @@ Foam::functionObjects::volumeLedger::volumeLedger
 )
 :
     fvMeshFunctionObject(name, runTime, dict),
-    unique_(mesh_),
     bodyVolume_(0),
     interval_(1),
     initialVolume_(0),
@@ -67,9 +66,10 @@ Foam::word Foam::functionObjects::volumeLedger::alphaName() const
 
 Foam::scalar Foam::functionObjects::volumeLedger::volume() const
 {
-    const scalarField& alpha =
-        mesh_.lookupObject<volScalarField>(alphaName()).primitiveField();
-    return gSum(alpha*unique_.weights()*mesh_.V().field());
+    return uniqueVolume::New(mesh_).of
+    (
+        mesh_.lookupObject<volScalarField>(alphaName()).primitiveField()
+    );
 }
 
 
@@ -137,7 +137,6 @@ bool Foam::functionObjects::volumeLedger::execute()
 
     if (time_.timeIndex() % interval_ == 0)
     {
-        unique_.update();
         balance(volume());
     }
     return true;

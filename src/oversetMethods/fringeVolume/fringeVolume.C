@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "fringeVolume.H"
+#include "oversetFvPatch.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    defineTypeNameAndDebug(fringeVolume, 0);
+}
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fringeVolume::fringeVolume
+(
+    const compositeMesh& composite,
+    const volScalarField& alpha
+)
+:
+    IOdictionary
+    (
+        IOobject
+        (
+            typeName,
+            alpha.time().timeName(),
+            "uniform",
+            alpha.time(),
+            IOobject::READ_IF_PRESENT,
+            IOobject::AUTO_WRITE
+        )
+    ),
+    composite_(composite),
+    unique_(uniqueVolume::New(alpha.mesh())),
+    expected_(0),
+    expectedOld_(0),
+    timeIndex_(alpha.time().timeIndex()),
+    error_(lookupOrDefault<scalar>("error", 0))
+{
+    // The error rather than the volume is kept: it loses no digits
+    expected_ = unique_.of(alpha.primitiveField()) - error_;
+    expectedOld_ = expected_;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fringeVolume::conserve
+(
+    volScalarField& alpha,
+    const surfaceScalarField& alphaPhi
+)
+{
+    const fvMesh& mesh = alpha.mesh();
+    if (timeIndex_ != alpha.time().timeIndex())
+    {
+        timeIndex_ = alpha.time().timeIndex();
+        expectedOld_ = expected_;
+    }
+
+    scalar outflow = 0;
+    forAll(mesh.boundary(), patchi)
+    {
+        const fvPatch& patch = mesh.boundary()[patchi];
+        if (!patch.coupled() && !isA<oversetFvPatch>(patch))
+        {
+            outflow += sum(alphaPhi.boundaryField()[patchi]);
+        }
+    }
+    reduce(outflow, sumOp<scalar>());
+    expected_ = expectedOld_ - outflow*alpha.time().deltaTValue();
+
+    // Fractions of what a cell has or lacks, at most, in a step
+    const scalar most = 0.1;
+
+    const scalarField isDonor(composite_.donorCells());
+    error_ = unique_.of(alpha.primitiveField()) - expected_;
+
+    // Acceptors follow what their donors are given: again for what they make
+    // of it
+    for (label i = 0; i < 3; ++i)
+    {
+        scalarField& a = alpha.primitiveFieldRef();
+        const scalarField room(isDonor*max(a*(1 - a), scalar(0)));
+        const scalar all = unique_.of(room);
+        if (!(all > 0))
+        {
+            break;
+        }
+        const scalar k = max(-most, min(most, error_/all));
+        a -= k*room;
+        alpha.correctBoundaryConditions();
+        error_ = unique_.of(alpha.primitiveField()) - expected_;
+    }
+    set("error", error_);
+}
+
+
+// ************************************************************************* //
