@@ -5,11 +5,12 @@ from __future__ import annotations
 
 import subprocess
 from dataclasses import dataclass, replace
-from math import ceil, cos, radians, sin, sqrt
+from math import ceil, cos, expm1, radians, sin, sqrt
 from pathlib import Path
 from typing import Any, Callable
 
 import numpy as np
+from scipy.optimize import brentq
 
 import foamDictionary
 from bodyGeometry import Body
@@ -47,6 +48,7 @@ SOLVERS = ("plungeFoam", "plungeSPH")
 _PARAMETERS: dict[str, Check] = {
     "solver": _word(*SOLVERS),
     "model": _word("half", "full"),
+    "mesh": _word("overset", "single"),
     "resolution": _number("a number from 0.5 to 16", lambda v: 0.5 <= v <= 16),
     "cores": _count(1),
     "body.length": _POSITIVE,
@@ -196,8 +198,9 @@ class Dive:
         full = "-full" if self.given["model"] == "full" else ""
         resolution = self.given["resolution"]
         finer = f"-r{resolution:g}" if resolution != 1 else ""
+        single = "-single" if self.given["mesh"] == "single" else ""
         other = f"-{self.given['solver']}" if self.given["solver"] != SOLVERS[0] else ""
-        return f"{self.given['fluids']}-{self.given['tier']}{full}{finer}{other}"
+        return f"{self.given['fluids']}-{self.given['tier']}{full}{finer}{single}{other}"
 
 
 def read(case: Path, overrides: dict[str, Any]) -> Dive:
@@ -232,6 +235,22 @@ def mesh_size(body: Body, tier: dict[str, Any], resolution: float) -> MeshSize:
     return replace(size, axial_cells=round(axial_cell_count(body, size)))
 
 
+# Of a body mesh without a background: what it reaches, in body lengths, and its layers over the tier's.
+_SINGLE_REACH, _SINGLE_LAYERS = 1.6, 4
+
+
+def single_mesh_size(size: MeshSize, length: float) -> MeshSize:
+    """The body mesh extended to the far boundary: its first layers are as thick, all grow more slowly."""
+    layers, reach = _SINGLE_LAYERS * size.layers, _SINGLE_REACH * length
+
+    def stretching(offset: float, given: float) -> float:
+        first = offset * expm1(given / size.layers) / expm1(given)
+        return brentq(lambda b: reach * expm1(b / layers) / expm1(b) - first, 1e-3, 50)
+
+    return replace(size, layers=layers, offset=(reach, reach, reach),
+                   stretching=tuple(stretching(*pair) for pair in zip(size.offset, size.stretching)))
+
+
 def cores_split(cores: int) -> list[int]:
     """Ranks in x, y and z: cut across the path, z, first, since the cuts there are the smallest."""
     area = (0.5, 1.2, 0.15)  # of a cut across x, y, z in the region of fine cells, relative
@@ -261,7 +280,7 @@ def _vector(values: Any) -> list[float]:
 
 
 def mesh_sections(dive: Dive, path: StraightPath) -> list[tuple[str, dict[str, Any]]]:
-    """What the two meshes of plungeFoam and its time steps need."""
+    """What the meshes of plungeFoam and its time steps need."""
     p, tier, body = dive.given, dive.tier, path.body
     length, full, resolution = body.length, p["model"] == "full", p["resolution"]
     size = mesh_size(body, tier, resolution)
@@ -296,6 +315,9 @@ def mesh_sections(dive: Dive, path: StraightPath) -> list[tuple[str, dict[str, A
     for reach, level in shells:
         volume = share_of_shell * np.pi * reach**2 * (path_length + 4 / 3 * reach)
         background += 7 / 8 * volume / (cell / 2**level / resolution) ** 3
+    single = p["mesh"] == "single"
+    if single:
+        size, background = single_mesh_size(size, length), 0
     all_cells = background + quads * size.layers * (2 if full else 1)
     time_step = min(0.5 * tier["maxCo"] * size.nose_spacing / path.speed, tier["maxDeltaT"] / resolution)
 
@@ -306,7 +328,7 @@ def mesh_sections(dive: Dive, path: StraightPath) -> list[tuple[str, dict[str, A
             "tailSpacing": size.tail_spacing, "spacingGrowth": size.growth, "offset": list(size.offset),
             "stretching": list(size.stretching),
         }),
-        ("Background mesh", {
+        *([] if single else [("Background mesh", {
             "xMin": x_low * cell, "xMax": x_high * cell, "yMin": -y_high * cell if full else 0.0,
             "yMax": y_high * cell, "zMin": z_low * cell, "zMax": z_high * cell,
             "xCells": counts[0], "yCells": counts[1],
@@ -314,7 +336,7 @@ def mesh_sections(dive: Dive, path: StraightPath) -> list[tuple[str, dict[str, A
             "pathStart": _vector(path.start), "pathEnd": _vector(path.end),
             "finestSpacing": finest,
             "refinementShells": shells,
-        }),
+        })]),
         ("Run", {
             "cores": p["cores"], "estimatedCells": round(all_cells, -3),
             "estimatedSteps": round(path.duration / time_step, -1), "coresSplit": cores_split(p["cores"]),
@@ -384,7 +406,7 @@ def derive(dive: Dive) -> list[tuple[str, dict[str, Any]]]:
     return [
         ("The dive", {
             "application": p["solver"],
-            "fluids": p["fluids"], "model": p["model"], "tier": p["tier"], "resolution": p["resolution"],
+            "fluids": p["fluids"], "model": p["model"], "mesh": p["mesh"], "tier": p["tier"], "resolution": p["resolution"],
             "bodyLength": length, "thicknessRatio": body.thickness_ratio,
             "speed": path.speed, "pathAngle": float(p["dive.angle"]), "gap": float(p["dive.gap"]),
         }),

@@ -1,0 +1,141 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Compare dives on an overset mesh with those on one mesh that moves with the body: result.csv, docs/figures/singleMeshTwin.png.
+
+Nothing is interpolated on the single mesh, and nothing but the cells far from the body differs: the first layers about the
+body are as thick, around it the cells are the same. Where the two part by more than the overset mesh should cost, the figure
+tells of its fringe or of the coarser background. Loads are compared as their running means over WINDOW; along the
+body's axis and across it, in its plane of symmetry, for the whole body. What is left of a load after its mean is its noise.
+
+The first steps: the potential flow that is set up at the start leaves the body no impulse but that of its weight and of
+the gas, which both meshes give alike.
+"""
+import argparse
+import sys
+from pathlib import Path
+from typing import Dict, List
+
+import matplotlib
+import numpy as np
+
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
+sys.path[:0] = [str(path) for path in (HERE.parent, ROOT / "applications/utilities/plungePost",
+                                       ROOT / "applications/utilities/plungeCase")]
+from foamDictionary import read  # noqa: E402
+from plungeResults import TRAJECTORY_COLUMNS, CaseError, cell_count, cpu_seconds, read_numbers, read_table, running_mean  # noqa: E402
+from resultTable import Row, limit, show, write  # noqa: E402
+
+FIGURE = ROOT / "docs/figures/singleMeshTwin.png"
+WINDOW = 1e-3   # [s]: the body moves by a quarter of its diameter
+FIRST = 1e-4    # [s], of the start
+
+
+class Dive:
+    """Loads of one dive over time: along the axis (against the motion positive) and across it [N]."""
+
+    def __init__(self, run: Path) -> None:
+        given = read(run / "system/plungeGenerated")
+        table = read_table(run / "results/trajectory.csv", TRAJECTORY_COLUMNS)
+        self.run, self.mesh, self.resolution = run, given["mesh"], float(given["resolution"])
+        self.impact, self.mass = float(given["speed"]), float(given["bodyMass"])
+        self.time, self.speed = table["time_s"], table["speed_m_s"]
+        force = np.stack([table[f"Fp{c}_N"] + table[f"Fv{c}_N"] for c in "xyz"])
+        pitch = np.radians(table["pitch_deg"])
+        forward = np.stack((np.cos(pitch), 0*pitch, np.sin(pitch)))
+        dorsal = np.stack((-np.sin(pitch), 0*pitch, np.cos(pitch)))
+        self.load = {"axial": -np.sum(force*forward, axis=0), "lateral": np.sum(force*dorsal, axis=0)}
+        self.mean = {name: running_mean(self.time, load, WINDOW) for name, load in self.load.items()}
+
+    def noise(self, name: str) -> float:
+        """Rms of a load about its running mean after the first WINDOW [N]."""
+        return float(np.sqrt(np.mean((self.load[name] - self.mean[name])[self.time > WINDOW]**2)))
+
+    def impulse(self) -> float:
+        """Of the fluids on the body in the first steps [N s]."""
+        first = (self.time > 0) & (self.time <= FIRST)
+        return float(np.sum((self.load["axial"][1:]*np.diff(self.time))[first[1:]]))
+
+
+def compare(overset: Dive, single: Dive) -> List[Row]:
+    end = min(overset.time[-1], single.time[-1])
+    time = np.linspace(0, end, 2001)
+
+    def apart(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+        return np.abs(np.interp(time, overset.time, a) - np.interp(time, single.time, b))
+
+    peak = float(single.mean["axial"].max())
+    at = f"resolution {overset.resolution:g}: "
+    mean = f", means over {1e3*WINDOW:g} ms"
+    early = time <= 0.02
+    lateral, axial = (100*apart(overset.mean[name], single.mean[name])/peak for name in ("lateral", "axial"))
+    ledgers = {dive.mesh: read_numbers(dive.run / "results/summary.csv")["max |volume ledger error|"] for dive in (overset, single)}
+    rows = [
+        Row(at + f"axial load, largest, single mesh{mean}", peak, "N"),
+        limit(at + "speed, largest difference to the single mesh over the impact speed",
+              100*float(apart(overset.speed, single.speed).max())/overset.impact, "%", 0.5),
+        limit(at + f"axial acceleration, largest difference over the largest{mean}", float(axial.max()), "%", 2),
+        limit(at + f"lateral load, largest difference over the largest axial load{mean}", float(lateral.max()), "%", 2),
+        Row(at + "the same, to 20 ms", float(lateral[early].max()), "%"),
+        Row(at + "the same, mean over the dive", float(lateral.mean()), "%"),
+        limit(at + "impulse of the first 0.1 ms, difference to the single mesh over mass times impact speed",
+              100*abs(overset.impulse() - single.impulse())/(overset.mass*overset.impact), "%", 0.01),
+    ]
+    for dive in (overset, single):
+        which = f"{at}{dive.mesh} mesh, "
+        cpu = f"{cpu_seconds(dive.run):.0f}"
+        value, unit = ledgers[dive.mesh]
+        rows += [
+            Row(which + "cells", str(cell_count(dive.run)), "1", cpu_s=cpu),
+            limit(which + "largest error of the liquid's volume over the body's", value, unit, 0.01) if dive is overset
+            else Row(which + "largest error of the liquid's volume over the body's", value, unit),
+            Row(which + f"lateral load, rms about its mean over {1e3*WINDOW:g} ms, over the largest axial load",
+                100*dive.noise("lateral")/peak, "%"),
+            Row(which + f"axial load, rms about its mean over {1e3*WINDOW:g} ms, over the largest axial load",
+                100*dive.noise("axial")/peak, "%"),
+        ]
+    return rows
+
+
+def draw(dives: List[Dive]) -> None:
+    matplotlib.use("Agg")
+    from matplotlib import pyplot
+
+    picture, axes = pyplot.subplots(1, 2, figsize=(12, 4.5))
+    for number, dive in enumerate(dives):
+        for axis, name in zip(axes, ("axial", "lateral")):
+            axis.plot(1e3*dive.time[2:], dive.load[name][2:], color=f"C{number}", linewidth=0.5, alpha=0.6)
+            axis.plot(1e3*dive.time, dive.mean[name], color=f"C{number}", label=f"{dive.mesh}, resolution {dive.resolution:g}")
+    for axis, name in zip(axes, ("axial", "lateral")):
+        axis.set(xlabel="time [ms]", ylabel=f"{name} load on the body [N]")
+        axis.legend(fontsize="small")
+    axes[0].set_title(f"Thin: as computed; thick: means over {1e3*WINDOW:g} ms")
+    picture.tight_layout()
+    picture.savefig(FIGURE, dpi=90)
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("runs", type=Path, nargs="+", help="run directories of cases/gannetPlunge, finished, of both meshes")
+    try:
+        dives = [Dive(run) for run in parser.parse_args().runs]
+        found: Dict[str, Dict[float, Dive]] = {mesh: {dive.resolution: dive for dive in dives if dive.mesh == mesh}
+                                               for mesh in ("overset", "single")}
+        rows = [row for resolution, dive in found["overset"].items() for row in compare(dive, found["single"][resolution])]
+        singles = sorted(found["single"].items())
+        for (_, coarse), (fine, other) in zip(singles, singles[1:]):
+            finer = [row for row in compare(coarse, other) if "difference" in row.quantity]
+            rows += [Row(row.quantity.replace("to the single mesh", f"of the single meshes at {fine:g}")
+                         .replace("difference over", f"difference of the single meshes at {fine:g} over"), row.value, row.unit)
+                     for row in finer]
+    except CaseError as error:
+        print(f"compare.py: {error}", file=sys.stderr)
+        return 1
+    write(HERE / "result.csv", rows)
+    show(rows)
+    draw(dives)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
