@@ -12,11 +12,19 @@ Description
 
 #include "argList.H"
 #include "freeSurfaceFlow.H"
+#include "profileTable.H"
+#include "profiling.H"
+
+#include <malloc.h>
 
 using namespace Foam;
 
 int main(int argc, char *argv[])
 {
+    // Fields come and go many times in a step: keep their memory
+    mallopt(M_MMAP_THRESHOLD, 1 << 30);
+    mallopt(M_TRIM_THRESHOLD, 1 << 30);
+
     argList::addNote
     (
         "Two incompressible immiscible fluids with a free surface and a rigid"
@@ -59,10 +67,19 @@ int main(int argc, char *argv[])
             flow.correctTurbulence();
         }
 
-        runTime.write();
+        {
+            addProfiling(output, "output");
+            runTime.write();
+        }
         runTime.printExecutionTime(Info);
     }
 
+    printProfile
+    (
+        Info,
+        runTime.timeIndex() - runTime.startTimeIndex(),
+        mesh.globalData().nTotalCells()
+    );
     Info<< "End\n" << endl;
 
     return 0;

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "freeSurfaceFlow.H"
+#include "profiling.H"
 
 void Foam::freeSurfaceFlow::advectInterface()
 {
+    addProfiling(interface, "interface");
+
     scheme_->advect();
 
     if (fringeVolume_)

@@ -2,6 +2,7 @@
 
 #include "freeSurfaceFlow.H"
 #include "fvc.H"
+#include "profiling.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -48,6 +49,8 @@ Foam::tmp<Foam::scalarField> Foam::freeSurfaceFlow::nearInterface() const
 
 void Foam::freeSurfaceFlow::chooseTimeStep(Time& time)
 {
+    addProfiling(timeStep, "time step");
+
     const dictionary& control = time.controlDict();
 
     const scalar Co = courantNumber("Courant Number", phi_, nullptr);

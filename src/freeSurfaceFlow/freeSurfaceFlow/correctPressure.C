@@ -8,6 +8,7 @@
 #include "fvc.H"
 #include "fvm.H"
 #include "oversetAdjustPhi.H"
+#include "profiling.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -51,6 +52,8 @@ void Foam::freeSurfaceFlow::printContinuityError()
 
 void Foam::freeSurfaceFlow::correctPressure()
 {
+    addProfiling(pressure, "pressure");
+
     const meshControls c = controls();
     fvVectorMatrix& UEqn = UEqn_.ref();
 

@@ -6,6 +6,7 @@
 #include "gravityMeshObject.H"
 #include "localEulerDdtScheme.H"
 #include "uniformDimensionedFields.H"
+#include "profiling.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -351,6 +352,8 @@ void Foam::freeSurfaceFlow::setPressure()
 
 void Foam::freeSurfaceFlow::correctTurbulence()
 {
+    addProfiling(turbulence, "turbulence");
+
     if (pimple_.turbCorr())
     {
         turbulence_->correct();

@@ -2,9 +2,12 @@
 
 #include "freeSurfaceFlow.H"
 #include "fvc.H"
+#include "profiling.H"
 
 void Foam::freeSurfaceFlow::moveMesh()
 {
+    addProfiling(mesh, "mesh motion");
+
     const meshControls c = controls();
     if (!(pimple_.firstIter() || c.moveMeshOuterCorrectors))
     {

@@ -3,6 +3,7 @@
 #include "freeSurfaceFlow.H"
 #include "fvc.H"
 #include "fvm.H"
+#include "profiling.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -33,6 +34,8 @@ Foam::tmp<Foam::surfaceScalarField> Foam::freeSurfaceFlow::bodyForces() const
 
 void Foam::freeSurfaceFlow::predictMomentum()
 {
+    addProfiling(momentum, "momentum");
+
     MRF_.correctBoundaryVelocity(U_);
 
     UEqn_ = tmp<fvVectorMatrix>

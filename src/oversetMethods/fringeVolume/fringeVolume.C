@@ -2,6 +2,7 @@
 
 #include "fringeVolume.H"
 #include "oversetFvPatch.H"
+#include "profiling.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -51,6 +52,8 @@ void Foam::fringeVolume::conserve
     const surfaceScalarField& alphaPhi
 )
 {
+    addProfiling(fringe, "fringe volume");
+
     const fvMesh& mesh = alpha.mesh();
     if (timeIndex_ != alpha.time().timeIndex())
     {

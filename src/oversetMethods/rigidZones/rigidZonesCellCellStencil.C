@@ -6,6 +6,7 @@
 #include "oversetFvPatch.H"
 #include "PstreamBuffers.H"
 #include "syncTools.H"
+#include "profiling.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -568,6 +569,8 @@ Foam::cellCellStencils::rigidZones::rigidZones
 
 bool Foam::cellCellStencils::rigidZones::update()
 {
+    addProfiling(stencil, "overset stencil");
+
     for (zoneSearch& zone : zones_)
     {
         zone.update();

@@ -5,6 +5,7 @@
 #include "dynamicOversetFvMesh.H"
 #include "oversetFvPatch.H"
 #include "ListListOps.H"
+#include "profiling.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -199,6 +200,8 @@ Foam::uniqueVolume::oversetBoundary() const
 
 void Foam::uniqueVolume::setWeights()
 {
+    addProfiling(unique, "unique volume");
+
     weights_ = 1;
     const scalarField covered(coveredVolume(boxes_, oversetBoundary()));
     const scalarField& V = mesh_.cellVolumes();

@@ -3,6 +3,7 @@
 #include "addedMassTensor.H"
 #include "fvc.H"
 #include "fvm.H"
+#include "profiling.H"
 
 const Foam::word Foam::addedMassTensor::registryName("addedMass");
 
@@ -79,6 +80,8 @@ void Foam::addedMassTensor::solve
     const label nNonOrthogonal
 )
 {
+    addProfiling(addedMass, "added mass");
+
     const surfaceScalarField rRhof("rRhof", fvc::interpolate(1/rho));
 
     // Only the master moves the body, and knows its constraints
