@@ -24,6 +24,12 @@ def setEntry(run: Path, file: str, entry: str, value: object) -> None:
         raise RuntimeError(f"{run / file}, entry {entry}: cannot be set to {value}\n{done.stdout[-2000:]}")
 
 
+def override(run: Path, file: str, text: str) -> None:
+    """Entries that take the place of a dictionary's, or add to its sub-dictionaries, whatever directives (#ifeq) it holds."""
+    with (run / file).open("a") as dictionary:
+        dictionary.write(f"\n{text}\n")
+
+
 def setUp(case: str, run: Path, entries: Mapping[str, object] = {}, **control: object) -> Path:
     """A copy of a case of cases/, with other entries of particleProperties and controlDict."""
     run.mkdir(parents=True)

@@ -4,13 +4,6 @@
 #include "oversetFvPatch.H"
 #include "profiling.H"
 
-// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
-
-namespace Foam
-{
-    defineTypeNameAndDebug(fringeVolume, 0);
-}
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::fringeVolume::fringeVolume
@@ -23,7 +16,7 @@ Foam::fringeVolume::fringeVolume
     (
         IOobject
         (
-            typeName,
+            "fringeVolume",
             alpha.time().timeName(),
             "uniform",
             alpha.time(),

@@ -45,16 +45,32 @@ void Foam::printProfile(Ostream& os, const label nSteps, const label nCells)
         << nl;
     os.precision(4);
     const scalar perStep = 1.0/max(label(1), nSteps);
-    for (const label i : order.indices())
+    const auto line = [&](const label n, const scalar t, const char* name)
     {
-        const scalar t = time[names[i]];
-        os  << setw(10) << calls[names[i]]
+        os  << setw(10) << n
             << setw(12) << t
             << setw(6) << label(100*t/total + 0.5)
             << setw(16) << 1e3*t*perStep
             << setw(22) << 1e6*t*perStep/max(label(1), nCells)
-            << "   " << names[i].c_str() << nl;
+            << "   " << name << nl;
+    };
+    label nOther = 0;
+    scalar other = 0;
+    for (const label i : order.indices())
+    {
+        const scalar t = time[names[i]];
+        if (t > 0.002*total)
+        {
+            line(calls[names[i]], t, names[i].c_str());
+        }
+        else
+        {
+            nOther += calls[names[i]];
+            other += t;
+        }
     }
+    line(nOther, other, "all others");
+    line(nSteps, total, "total");
     os  << endl;
 }
 

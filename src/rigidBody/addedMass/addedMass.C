@@ -4,6 +4,7 @@
 #include "addedMassTensor.H"
 #include "addToRunTimeSelectionTable.H"
 #include "scalarMatrices.H"
+#include "uniformDimensionedFields.H"
 
 namespace Foam
 {
@@ -91,6 +92,35 @@ Foam::SquareMatrix<Foam::scalar> Foam::sixDoFSolvers::addedMass::estimate(const 
 }
 
 
+Foam::vector Foam::sixDoFSolvers::addedMass::gravity() const
+{
+    const auto* g =
+        body_.time().findObject<uniformDimensionedVectorField>("g");
+    return g ? g->value() : vector(Zero);
+}
+
+
+Foam::Tuple2<Foam::tensor, Foam::vector>
+Foam::sixDoFSolvers::addedMass::rotateFreely
+(
+    const tensor& Q,
+    const vector& pi,
+    const scalar deltaT
+) const
+{
+    const scalar w[] =
+        {0.784513610477560, 0.235573213359357, -1.17767998417887};
+    const scalar middle = 1 - 2*(w[0] + w[1] + w[2]);
+
+    Tuple2<tensor, vector> Qpi(Q, pi);
+    for (const scalar part : {w[0], w[1], w[2], middle, w[2], w[1], w[0]})
+    {
+        Qpi = rotate(Qpi.first(), Qpi.second(), part*deltaT);
+    }
+    return Qpi;
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::sixDoFSolvers::addedMass::solve
@@ -153,10 +183,18 @@ void Foam::sixDoFSolvers::addedMass::solve
     tau() = rConstraints() & (I & vector(x[3], x[4], x[5]));
 
     v() = tConstraints() & (v0() + aDamp()*deltaT*a());
-    centreOfRotation() = centreOfRotation0() + deltaT*v();
+    centreOfRotation() =
+        centreOfRotation0()
+      + deltaT*v()
+      - 0.5*sqr(deltaT)*(tConstraints() & gravity());
 
     const Tuple2<tensor, vector> Qpi =
-        rotate(Q0(), rConstraints() & (pi0() + aDamp()*deltaT*tau()), deltaT);
+        rotateFreely
+        (
+            Q0(),
+            rConstraints() & (pi0() + aDamp()*deltaT*tau()),
+            deltaT
+        );
     Q() = Qpi.first();
     pi() = rConstraints() & Qpi.second();
 }

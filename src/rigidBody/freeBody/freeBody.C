@@ -3,6 +3,7 @@
 #include "freeBody.H"
 
 #include "bodyCoefficients.H"
+#include "dimensionedVector.H"
 #include "fluidSelection.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -108,7 +109,11 @@ Foam::freeBody::freeBody
 )
 :
     motion_(checked(coefficients), coefficients, time),
-    g_(g),
+    g_
+    (
+        IOobject("g", time.constant(), time),
+        dimensionedVector("g", dimAcceleration, g)
+    ),
     acceleration_(Zero),
     angularAcceleration_(Zero),
     lastDeltaT_(0)
@@ -147,7 +152,7 @@ void Foam::freeBody::advance
     const vector lastOmega(motion_.omega());
 
     // OpenFOAM takes moments about the centre of rotation
-    const vector total(force + motion_.mass()*g_);
+    const vector total(force + motion_.mass()*g_.value());
     motion_.newTime();
     motion_.update
     (

@@ -1,0 +1,117 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The same dive in several ways: result.csv.
+
+- one process and two, all linear systems solved to 1e-12: what is left is multiplied from step to step;
+- uninterrupted, and stopped and started again twice;
+- killed at arbitrary moments and started again by the case's Allrun, as often.
+
+The dive is that of cases/gannetPlunge, tier fast, over its first DURATION; the body meets the surface at 0.4 ms. Differences
+are the largest over the fields' cells at the end over the field's largest value, and over the path and the loads of the whole
+run over their largest value.
+"""
+import os
+import random
+import re
+import shutil
+import signal
+import subprocess
+import sys
+from pathlib import Path
+from typing import List
+
+import numpy as np
+
+FOLDER = Path(__file__).resolve().parent
+ROOT = FOLDER.parents[1]
+sys.path[:0] = [str(FOLDER.parent), str(ROOT / "applications/utilities/plungePost")]
+from foamFields import readCells, times  # noqa: E402
+from particleRuns import CONTROL, call, override  # noqa: E402
+from plungeResults import gather  # noqa: E402
+from resultTable import Row, limit, show, write  # noqa: E402
+
+CASE = ROOT / "cases/gannetPlunge"
+SOLVER = "plungeFoam"
+DURATION, FRAMES = 4e-3, 4          # [s]; of 25 m/s and a body of 1 m
+OPTIONS = ("-set", f"dive.travel={25*DURATION:g}", "-set", f"output.frames={FRAMES}")
+FIELDS = ("alpha.liquid", "U", "p_rgh")
+LOADS = ("Fpx_N", "Fpz_N", "My_Nm")
+KILLS, SEED = 5, 1
+
+
+def dive(name: str, ranks: int = 1, converged: bool = False) -> Path:
+    """Runs the case in run/<name>, from where it was stopped."""
+    run = FOLDER / "run" / name
+    options = ["-run", str(run), "-np", str(ranks), *OPTIONS]
+    if not run.exists():
+        subprocess.run(["plungeCase", "-case", str(CASE), *options], check=True, stdout=subprocess.DEVNULL)
+        override(run, CONTROL, "writeFormat ascii; writePrecision 17; timePrecision 12;")
+        if converged:
+            path = run / "system/fvSolution"
+            text = re.sub(r"(\btolerance\s+)[^;]+;", r"\g<1>1e-12;", path.read_text())
+            path.write_text(re.sub(r"(\brelTol\s+)[^;]+;", r"\g<1>0;", text))
+    subprocess.run([str(CASE / "Allrun"), *options], check=True)
+    return run
+
+
+def again(reference: Path, name: str) -> Path:
+    """A run that has all of another one but what the solver made."""
+    run = FOLDER / "run" / name
+    shutil.copytree(reference, run, ignore=shutil.ignore_patterns("postProcessing", "results", f"log.{SOLVER}", "log.plungePost",
+                                                                  *times(reference)))
+    return run
+
+
+def inParts(reference: Path, name: str) -> Path:
+    """Stopped and started again at the written times after the first and the second."""
+    run = again(reference, name)
+    for end in (*times(reference)[:2], times(reference)[-1]):
+        override(run, CONTROL, f"endTime {end};")
+        call(run, SOLVER, mode="a")
+    return run
+
+
+def killed(reference: Path, name: str) -> Path:
+    """Killed KILLS times at arbitrary moments: after up to half of what the whole run takes."""
+    run = again(reference, name)
+    whole = float(re.findall(r"ClockTime = (\S+) s", (reference / f"log.{SOLVER}").read_text())[-1])
+    moments = random.Random(SEED)
+    command = [str(CASE / "Allrun"), "-run", str(run), "-np", "1", *OPTIONS]
+    for _ in range(KILLS):
+        process = subprocess.Popen(command, start_new_session=True)
+        try:
+            process.wait(timeout=moments.uniform(0.1, 0.5)*whole)
+        except subprocess.TimeoutExpired:
+            os.killpg(process.pid, signal.SIGKILL)
+            process.wait()
+    subprocess.run(command, check=True)
+    return run
+
+
+def differences(what: str, run: Path, reference: Path, most: float) -> List[Row]:
+    end = times(reference)[-1]
+    rows = []
+    for field in FIELDS:
+        ours, theirs = (readCells(case / end / field) for case in (run, reference))
+        rows.append(limit(f"{what}: {field}", float(np.abs(ours - theirs).max()/np.abs(theirs).max()), "1", most))
+    ours, theirs = (gather(case)["trajectory"] for case in (run, reference))
+    if len(ours["time_s"]) != len(theirs["time_s"]):
+        raise SystemExit(f"{run}: {len(ours['time_s'])} time steps; expected {len(theirs['time_s'])}, those of {reference}")
+    for name, columns in (("path of the body", ("x_m", "z_m")), ("loads on the body", LOADS)):
+        worst = max(np.abs(ours[c] - theirs[c]).max()/np.abs(theirs[c]).max() for c in columns)
+        rows.append(limit(f"{what}: {name}", float(worst), "1", most))
+    return rows
+
+
+def main() -> None:
+    serial, parallel = dive("serial", converged=True), dive("parallel", ranks=2, converged=True)
+    whole = dive("whole")
+    rows = differences("two processes against one", parallel, serial, 1e-6)
+    rows += differences("stopped and started again twice against uninterrupted", inParts(whole, "parts"), whole, 1e-10)
+    rows += differences(f"killed {KILLS} times against uninterrupted", killed(whole, "killed"), whole, 1e-10)
+    write(FOLDER / "result.csv", rows)
+    show(rows)
+
+
+if __name__ == "__main__":
+    main()
