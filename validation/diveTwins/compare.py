@@ -72,7 +72,7 @@ def inParts(reference: Path, name: str) -> Path:
 
 
 def killed(reference: Path, name: str) -> Path:
-    """Killed KILLS times at arbitrary moments: after up to half of what the whole run takes."""
+    """Killed KILLS times at arbitrary moments: after up to four fifths of what the whole run takes."""
     run = again(reference, name)
     whole = float(re.findall(r"ClockTime = (\S+) s", (reference / f"log.{SOLVER}").read_text())[-1])
     moments = random.Random(SEED)
@@ -80,7 +80,7 @@ def killed(reference: Path, name: str) -> Path:
     for _ in range(KILLS):
         process = subprocess.Popen(command, start_new_session=True)
         try:
-            process.wait(timeout=moments.uniform(0.1, 0.5)*whole)
+            process.wait(timeout=moments.uniform(0.3, 0.8)*whole)
         except subprocess.TimeoutExpired:
             os.killpg(process.pid, signal.SIGKILL)
             process.wait()

@@ -46,7 +46,11 @@ void Foam::freeSurfaceFlow::moveMesh()
         Uf = old*Uf + (scalar(1) - old)*Uint;
         forAll(Uf.boundaryField(), patchi)
         {
-            Uf.boundaryFieldRef()[patchi] = Uint.boundaryField()[patchi];
+            // Faces between processors are faces inside the mesh
+            if (!Uf.boundaryField()[patchi].coupled())
+            {
+                Uf.boundaryFieldRef()[patchi] = Uint.boundaryField()[patchi];
+            }
         }
 
         phi_ = mesh_.Sf() & Uf;

@@ -7,7 +7,46 @@
 #include "localMin.H"
 #include "mapDistribute.H"
 #include "oversetFvPatch.H"
+#include "processorFvPatch.H"
 #include "zeroGradientFvPatchFields.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- Bring all fields' values on the faces between processors up to date
+template<class Type>
+void exchange(const fvMesh& mesh)
+{
+    typedef GeometricField<Type, fvPatchField, volMesh> fieldType;
+
+    for (const fieldType* field : mesh.lookupClass<fieldType>())
+    {
+        auto& patches = const_cast<fieldType*>(field)->boundaryFieldRef(false);
+        const label request = Pstream::nRequests();
+        forAll(patches, patchi)
+        {
+            if (isA<processorFvPatch>(mesh.boundary()[patchi]))
+            {
+                patches[patchi].initEvaluate(Pstream::commsTypes::nonBlocking);
+            }
+        }
+        Pstream::waitRequests(request);
+        forAll(patches, patchi)
+        {
+            if (isA<processorFvPatch>(mesh.boundary()[patchi]))
+            {
+                patches[patchi].evaluate(Pstream::commsTypes::nonBlocking);
+            }
+        }
+    }
+}
+
+} // End anonymous namespace
+
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -182,6 +221,13 @@ void Foam::compositeMesh::doNotInterpolate(const wordList& fieldNames) const
 
 void Foam::compositeMesh::update()
 {
+    // The mesh has interpolated the fields' cells alone
+    if (Pstream::parRun())
+    {
+        exchange<scalar>(mesh_);
+        exchange<vector>(mesh_);
+    }
+
     setCellMask();
     faceMask_ = localMin<scalar>(mesh_).interpolate(cellMask_);
     faceMaskOld_ = localMin<scalar>(mesh_).interpolate(cellMask_.oldTime());

@@ -28,7 +28,7 @@ using namespace Foam;
 
 label readLayers(const dictionary& dict)
 {
-    const label layers = dict.lookupOrDefault<label>("layers", 2);
+    const label layers = dict.lookupOrDefault<label>("layers", 1);
     if (layers < 1)
     {
         FatalIOErrorInFunction(dict)
