@@ -236,7 +236,7 @@ def mesh_size(body: Body, tier: dict[str, Any], resolution: float) -> MeshSize:
 
 
 # Of a body mesh without a background: what it reaches, in body lengths, and its layers over the tier's.
-_SINGLE_REACH, _SINGLE_LAYERS = 1.6, 4
+_SINGLE_REACH, _SINGLE_LAYERS = 1.6, 3
 
 
 def single_mesh_size(size: MeshSize, length: float) -> MeshSize:

@@ -4,6 +4,8 @@
 #include "fvc.H"
 #include "profiling.H"
 
+#include <cmath>
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::scalar Foam::freeSurfaceFlow::courantNumber
@@ -42,6 +44,25 @@ Foam::tmp<Foam::scalarField> Foam::freeSurfaceFlow::nearInterface() const
 {
     const scalarField& alpha = mixture_.alpha1().primitiveField();
     return pos0(alpha - 0.01)*pos0(0.99 - alpha);
+}
+
+
+void Foam::freeSurfaceFlow::roundTime(Time& time)
+{
+    // Sums of such times have no rounding error before 512 s
+    const scalar tick = std::ldexp(1.0, -44);
+    const auto onTick = [&](const scalar t){ return tick*std::round(t/tick); };
+
+    if (time.deltaTValue() < 1e3*tick)
+    {
+        return;
+    }
+    time.setTime(onTick(time.value()), time.timeIndex());
+    time.setDeltaT
+    (
+        onTick(time.value() + time.deltaTValue()) - time.value(),
+        false
+    );
 }
 
 
@@ -92,6 +113,7 @@ void Foam::freeSurfaceFlow::chooseTimeStep(Time& time)
         );
     const scalar factor = min(min(allowed, 1 + 0.1*allowed), scalar(1.2));
     time.setDeltaT(min(factor*deltaT, maxDeltaT));
+    roundTime(time);
 
     Info<< "deltaT = " << time.deltaTValue() << endl;
 }

@@ -18,6 +18,17 @@ void Foam::freeSurfaceFlow::moveMesh()
     {
         addedMass_->solve(rho_, p_rgh_, potentialTypes(), pimple_.nNonOrthCorr());
     }
+
+    // An overset mesh changes fields as it moves: take their old values first,
+    // in the first step of a run as in every other
+    if (composite_)
+    {
+        U_.oldTime();
+        Uf_().oldTime();
+        rho_.oldTime();
+        mixture_.alpha1().oldTime();
+        mixture_.alpha2().oldTime();
+    }
     mesh_.update();
 
     if (!mesh_.changing())

@@ -4,6 +4,9 @@
 #include "oversetFvPatch.H"
 #include "profiling.H"
 
+#include <cstdio>
+#include <cstdlib>
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::fringeVolume::fringeVolume
@@ -26,15 +29,16 @@ Foam::fringeVolume::fringeVolume
     ),
     composite_(composite),
     unique_(uniqueVolume::New(alpha.mesh())),
-    expected_(0),
-    expectedOld_(0),
+    expected_
+    (
+        found("expected")
+      ? std::strtod(get<string>("expected").c_str(), nullptr)
+      : unique_.of(alpha.primitiveField())
+    ),
+    expectedOld_(expected_),
     timeIndex_(alpha.time().timeIndex()),
-    error_(lookupOrDefault<scalar>("error", 0))
-{
-    // The error rather than the volume is kept: it loses no digits
-    expected_ = unique_.of(alpha.primitiveField()) - error_;
-    expectedOld_ = expected_;
-}
+    error_(0)
+{}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -88,6 +92,11 @@ void Foam::fringeVolume::conserve
         alpha.correctBoundaryConditions();
         error_ = unique_.of(alpha.primitiveField()) - expected_;
     }
+
+    // With all its digits, whatever precision is written with
+    char digits[32];
+    std::snprintf(digits, sizeof(digits), "%.17g", expected_);
+    set("expected", string(digits));
     set("error", error_);
 }
 

@@ -616,7 +616,7 @@ void Foam::cellCellStencils::rigidZones::stencilWeights
             moment += weights[i]*sqr(donors[i] - sample - mean);
         }
         // Those left may span a plane, or less
-        moment += symmTensor::I*(1e-8*tr(moment) + 1e-12*total*size);
+        moment += symmTensor::I*(1e-6*tr(moment) + 1e-12*total*size);
 
         const vector gradient(inv(moment) & mean);
         label least = 0;
@@ -633,6 +633,12 @@ void Foam::cellCellStencils::rigidZones::stencilWeights
             break;
         }
         isUsed[least] = false;
+    }
+
+    const scalar all = sum(weights);
+    for (scalar& w : weights)
+    {
+        w /= all;
     }
 }
 
