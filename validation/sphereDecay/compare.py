@@ -114,11 +114,14 @@ def solve(cells: int) -> Tuple[np.ndarray, np.ndarray]:
 
 def figures(time: np.ndarray, height: np.ndarray) -> Tuple[float, float]:
     """Period [s] and logarithmic decrement per period."""
-    inner = np.diff(np.sign(np.diff(height)))
-    at = [i for i in np.nonzero(inner)[0] + 1 if time[i] > 0.5][:EXTREMES]
+    at = []
+    for i, t in enumerate(time):
+        near = height[np.abs(time - t) < 1]
+        if 1 < t < time[-1] - 1 and height[i] in (near.min(), near.max()) and (not at or t - time[at[-1]] > 1):
+            at.append(i)
     times, values = [], []
-    for i in at:
-        near = slice(max(0, i - 8), i + 9)
+    for i in at[:EXTREMES]:
+        near = np.abs(time - time[i]) < 0.3
         a, b, c = np.polyfit(time[near] - time[i], height[near], 2)
         times.append(time[i] - b/(2*a))
         values.append(c - b*b/(4*a))

@@ -49,20 +49,46 @@ Foam::tmp<Foam::scalarField> Foam::freeSurfaceFlow::nearInterface() const
 
 void Foam::freeSurfaceFlow::roundTime(Time& time)
 {
-    // Sums of such times have no rounding error before 512 s
-    const scalar tick = std::ldexp(1.0, -44);
-    const auto onTick = [&](const scalar t){ return tick*std::round(t/tick); };
-
-    if (time.deltaTValue() < 1e3*tick)
+    const auto rounded = [](const scalar x, const int bits)
     {
-        return;
+        int exponent;
+        const scalar mantissa = std::frexp(x, &exponent);
+        return
+            std::ldexp
+            (
+                std::round(std::ldexp(mantissa, bits)),
+                exponent - bits
+            );
+    };
+    // Of written times, beyond the digits of their names
+    const int ofTimes = 44;
+    // Of steps, such that their sums are exact
+    const int ofSteps = 24;
+
+    if (time.timeIndex() == time.startTimeIndex())
+    {
+        time.setTime(rounded(time.value(), ofTimes), time.timeIndex());
     }
-    time.setTime(onTick(time.value()), time.timeIndex());
-    time.setDeltaT
-    (
-        onTick(time.value() + time.deltaTValue()) - time.value(),
-        false
-    );
+
+    const dictionary& control = time.controlDict();
+    const word writes(control.getOrDefault<word>("writeControl", word::null));
+    const scalar next = time.deltaTValue();
+    if (writes == "adjustable" || writes == "adjustableRunTime")
+    {
+        const scalar interval = control.get<scalar>("writeInterval");
+        const scalar n =
+            (time.value() + next - time.startTime().value())/interval;
+        if (mag(n - std::round(n))*interval < 1e-6*next)
+        {
+            time.setDeltaT
+            (
+                rounded(time.value() + next, ofTimes) - time.value(),
+                false
+            );
+            return;
+        }
+    }
+    time.setDeltaT(rounded(next, ofSteps), false);
 }
 
 
