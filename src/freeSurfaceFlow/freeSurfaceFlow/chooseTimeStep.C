@@ -139,7 +139,10 @@ void Foam::freeSurfaceFlow::chooseTimeStep(Time& time)
         );
     const scalar factor = min(min(allowed, 1 + 0.1*allowed), scalar(1.2));
     time.setDeltaT(min(factor*deltaT, maxDeltaT));
-    roundTime(time);
+    if (composite_)
+    {
+        roundTime(time);
+    }
 
     Info<< "deltaT = " << time.deltaTValue() << endl;
 }

@@ -27,6 +27,45 @@ void Foam::freeSurfaceFlow::correctUf()
 }
 
 
+void Foam::freeSurfaceFlow::setCorrectorTerms()
+{
+    const tmp<volScalarField> trAU(1.0/UEqn_().A());
+    if (rAU_.valid())
+    {
+        rAU_.ref() = trAU();
+    }
+    correctorTerms_.reset(new correctorTerms(trAU));
+    const volScalarField& rAU = correctorTerms_->rAU;
+
+    if (!composite_)
+    {
+        correctorTerms_->ddtCorr =
+            MRF_.zeroFilter
+            (
+                fvc::interpolate(rho_*rAU)*fvc::ddtCorr(U_, phi_, Uf_)
+            );
+    }
+    else if (controls().ddtCorr)
+    {
+        correctorTerms_->ddtCorr =
+            fvc::interpolate(rho_*rAU)
+           *composite_->faceMaskOld()
+           *fvc::ddtCorr(U_, Uf_());
+    }
+
+    tmp<surfaceScalarField> tforces(bodyForces());
+    if (tforces.valid())
+    {
+        tforces = tforces*correctorTerms_->rAUf*mesh_.magSf();
+        if (composite_)
+        {
+            tforces.ref() *= composite_->faceMask();
+        }
+        correctorTerms_->bodyForces = tforces;
+    }
+}
+
+
 void Foam::freeSurfaceFlow::printContinuityError()
 {
     scalarField error(fvc::div(phi_)().primitiveField());
@@ -57,18 +96,13 @@ void Foam::freeSurfaceFlow::correctPressure()
     const meshControls c = controls();
     fvVectorMatrix& UEqn = UEqn_.ref();
 
-    tmp<volScalarField> trAU;
-    if (rAU_.valid())
+    if (!correctorTerms_)
     {
-        rAU_.ref() = 1.0/UEqn.A();
-        trAU = tmp<volScalarField>(rAU_());
+        setCorrectorTerms();
     }
-    else
-    {
-        trAU = 1.0/UEqn.A();
-    }
-    const volScalarField& rAU = trAU();
-    const surfaceScalarField rAUf("rAUf", fvc::interpolate(rAU));
+    const volScalarField& rAU = correctorTerms_->rAU;
+    const surfaceScalarField& rAUf = correctorTerms_->rAUf;
+    const tmp<surfaceScalarField>& tphig = correctorTerms_->bodyForces;
 
     const volVectorField HbyA
     (
@@ -76,21 +110,9 @@ void Foam::freeSurfaceFlow::correctPressure()
         constrainHbyA(rAU*UEqn.H(), U_, p_rgh_)
     );
     surfaceScalarField phiHbyA("phiHbyA", fvc::flux(HbyA));
-
-    if (!composite_)
+    if (correctorTerms_->ddtCorr.valid())
     {
-        phiHbyA +=
-            MRF_.zeroFilter
-            (
-                fvc::interpolate(rho_*rAU)*fvc::ddtCorr(U_, phi_, Uf_)
-            );
-    }
-    else if (c.ddtCorr)
-    {
-        phiHbyA +=
-            fvc::interpolate(rho_*rAU)
-           *composite_->faceMaskOld()
-           *fvc::ddtCorr(U_, Uf_());
+        phiHbyA += correctorTerms_->ddtCorr();
     }
     MRF_.makeRelative(phiHbyA);
 
@@ -101,14 +123,8 @@ void Foam::freeSurfaceFlow::correctPressure()
         fvc::makeAbsolute(phiHbyA, U_);
     }
 
-    tmp<surfaceScalarField> tphig(bodyForces());
     if (tphig.valid())
     {
-        tphig = tphig*rAUf*mesh_.magSf();
-        if (composite_)
-        {
-            tphig.ref() *= composite_->faceMask();
-        }
         phiHbyA += tphig();
     }
 
@@ -152,14 +168,20 @@ void Foam::freeSurfaceFlow::correctPressure()
 
     printContinuityError();
 
-    correctUf();
+    const bool last = pimple_.corrPISO() == pimple_.nCorrPISO();
+    if (last)
+    {
+        correctUf();
+    }
     fvc::makeRelative(phi_, U_);
     if (composite_)
     {
         phi_ *= composite_->faceMask();
     }
-
-    setPressure();
+    if (last)
+    {
+        setPressure();
+    }
 }
 
 // ************************************************************************* //

@@ -69,6 +69,16 @@ Foam::freeSurfaceFlow::buoyancy::buoyancy(const fvMesh& mesh)
 {}
 
 
+Foam::freeSurfaceFlow::correctorTerms::correctorTerms
+(
+    const tmp<volScalarField>& trAU
+)
+:
+    rAU("rAU", trAU),
+    rAUf("rAUf", fvc::interpolate(rAU))
+{}
+
+
 void Foam::freeSurfaceFlow::buoyancy::update(const fvMesh& mesh)
 {
     gh = (g & mesh.C()) - ghRef;
@@ -176,6 +186,7 @@ Foam::freeSurfaceFlow::freeSurfaceFlow(dynamicFvMesh& mesh)
     fvOptions_(fv::options::New(mesh)),
     turbulence_(incompressible::turbulenceModel::New(U_, phi_, mixture_)),
     UEqn_(),
+    correctorTerms_(),
     rAU_(),
     cumulativeContinuityError_(0)
 {

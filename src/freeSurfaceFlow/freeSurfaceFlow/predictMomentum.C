@@ -38,6 +38,7 @@ void Foam::freeSurfaceFlow::predictMomentum()
 
     MRF_.correctBoundaryVelocity(U_);
 
+    correctorTerms_.clear();
     UEqn_ = tmp<fvVectorMatrix>
     (
         fvm::ddt(rho_, U_) + fvm::div(rhoPhi_, U_)
