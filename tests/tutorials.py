@@ -11,7 +11,7 @@ from types import ModuleType
 from typing import Iterable, List
 
 from conftest import REPOSITORY
-from particleRuns import setEntry  # noqa: F401: for tests
+from particleRuns import converge, setEntry  # noqa: F401: for tests
 
 STOCK_TUTORIALS = REPOSITORY / "validation/stockTutorials"
 

@@ -5,8 +5,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from test_stockSolvers import converge, difference
-from tutorials import cellVolumes, compare, copy, setEntry, setUp, solve
+from test_stockSolvers import difference
+from tutorials import cellVolumes, compare, converge, copy, setEntry, setUp, solve
 
 
 @pytest.mark.parametrize("tutorial, coarser, endTime, tolerance", [

@@ -26,7 +26,7 @@ FOLDER = Path(__file__).resolve().parent
 ROOT = FOLDER.parents[1]
 sys.path[:0] = [str(FOLDER.parent), str(ROOT / "applications/utilities/plungePost")]
 from foamFields import readCells, times  # noqa: E402
-from particleRuns import CONTROL, call, override  # noqa: E402
+from particleRuns import CONTROL, call, converge, override  # noqa: E402
 from plungeResults import gather  # noqa: E402
 from resultTable import Row, limit, show, write  # noqa: E402
 
@@ -47,9 +47,7 @@ def dive(name: str, ranks: int = 1, converged: bool = False) -> Path:
         subprocess.run(["plungeCase", "-case", str(CASE), *options], check=True, stdout=subprocess.DEVNULL)
         override(run, CONTROL, "writeFormat ascii; writePrecision 17; timePrecision 12;")
         if converged:
-            path = run / "system/fvSolution"
-            text = re.sub(r"(\btolerance\s+)[^;]+;", r"\g<1>1e-12;", path.read_text())
-            path.write_text(re.sub(r"(\brelTol\s+)[^;]+;", r"\g<1>0;", text))
+            converge(run)
     subprocess.run([str(CASE / "Allrun"), *options], check=True)
     return run
 

@@ -7,7 +7,7 @@
 #include "localMin.H"
 #include "mapDistribute.H"
 #include "oversetFvPatch.H"
-#include "processorFvPatch.H"
+#include "processorFvPatchField.H"
 #include "zeroGradientFvPatchFields.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -25,23 +25,11 @@ void exchange(const fvMesh& mesh)
 
     for (const fieldType* field : mesh.lookupClass<fieldType>())
     {
-        auto& patches = const_cast<fieldType*>(field)->boundaryFieldRef(false);
-        const label request = Pstream::nRequests();
-        forAll(patches, patchi)
-        {
-            if (isA<processorFvPatch>(mesh.boundary()[patchi]))
-            {
-                patches[patchi].initEvaluate(Pstream::commsTypes::nonBlocking);
-            }
-        }
-        Pstream::waitRequests(request);
-        forAll(patches, patchi)
-        {
-            if (isA<processorFvPatch>(mesh.boundary()[patchi]))
-            {
-                patches[patchi].evaluate(Pstream::commsTypes::nonBlocking);
-            }
-        }
+        dynamicOversetFvMesh::correctBoundaryConditions
+        <
+            fieldType,
+            processorFvPatchField<Type>
+        >(const_cast<fieldType*>(field)->boundaryFieldRef(false), true);
     }
 }
 

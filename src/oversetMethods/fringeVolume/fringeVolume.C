@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "fringeVolume.H"
-#include "oversetFvPatch.H"
+#include "surfaceFields.H"
+#include "volFields.H"
 #include "profiling.H"
 
 #include <cstdio>
@@ -36,8 +37,7 @@ Foam::fringeVolume::fringeVolume
       : unique_.of(alpha.primitiveField())
     ),
     expectedOld_(expected_),
-    timeIndex_(alpha.time().timeIndex()),
-    error_(0)
+    timeIndex_(alpha.time().timeIndex())
 {}
 
 
@@ -51,30 +51,20 @@ void Foam::fringeVolume::conserve
 {
     addProfiling(fringe, "fringe volume");
 
-    const fvMesh& mesh = alpha.mesh();
     if (timeIndex_ != alpha.time().timeIndex())
     {
         timeIndex_ = alpha.time().timeIndex();
         expectedOld_ = expected_;
     }
 
-    scalar outflow = 0;
-    forAll(mesh.boundary(), patchi)
-    {
-        const fvPatch& patch = mesh.boundary()[patchi];
-        if (!patch.coupled() && !isA<oversetFvPatch>(patch))
-        {
-            outflow += sum(alphaPhi.boundaryField()[patchi]);
-        }
-    }
-    reduce(outflow, sumOp<scalar>());
-    expected_ = expectedOld_ - outflow*alpha.time().deltaTValue();
+    expected_ =
+        expectedOld_ - unique_.outflow(alphaPhi)*alpha.time().deltaTValue();
 
     // Fractions of what a cell has or lacks, at most, in a step
     const scalar most = 0.1;
 
     const scalarField isDonor(composite_.donorCells());
-    error_ = unique_.of(alpha.primitiveField()) - expected_;
+    scalar error = unique_.of(alpha.primitiveField()) - expected_;
 
     // Acceptors follow what their donors are given: again for what they make
     // of it
@@ -87,17 +77,17 @@ void Foam::fringeVolume::conserve
         {
             break;
         }
-        const scalar k = max(-most, min(most, error_/all));
+        const scalar k = max(-most, min(most, error/all));
         a -= k*room;
         alpha.correctBoundaryConditions();
-        error_ = unique_.of(alpha.primitiveField()) - expected_;
+        error = unique_.of(alpha.primitiveField()) - expected_;
     }
 
     // With all its digits, whatever precision is written with
     char digits[32];
     std::snprintf(digits, sizeof(digits), "%.17g", expected_);
     set("expected", string(digits));
-    set("error", error_);
+    set("error", error);
 }
 
 

@@ -66,7 +66,7 @@ void Foam::zoneSearch::build()
     const pointField& points = zone.points();
     anchors_.setSize(3);
     anchors_[0] = 0;
-    const auto furthest = [&](const std::function<scalar(const point&)>& distance)
+    const auto furthest = [&](const auto& distance)
     {
         label result = 0;
         forAll(points, pointi)

@@ -5,6 +5,7 @@
 #include "dynamicOversetFvMesh.H"
 #include "oversetFvPatch.H"
 #include "ListListOps.H"
+#include "surfaceFields.H"
 #include "profiling.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -244,6 +245,21 @@ bool Foam::uniqueVolume::movePoints()
 Foam::scalar Foam::uniqueVolume::of(const scalarField& fraction) const
 {
     return gSum(fraction*weights_*mesh_.cellVolumes());
+}
+
+
+Foam::scalar Foam::uniqueVolume::outflow(const surfaceScalarField& flux) const
+{
+    scalar rate = 0;
+    forAll(flux.boundaryField(), patchi)
+    {
+        const fvPatch& patch = mesh_.boundary()[patchi];
+        if (!patch.coupled() && !isA<oversetFvPatch>(patch))
+        {
+            rate += sum(flux.boundaryField()[patchi]);
+        }
+    }
+    return returnReduce(rate, sumOp<scalar>());
 }
 
 

@@ -2,7 +2,6 @@
 
 #include "volumeLedger.H"
 #include "addToRunTimeSelectionTable.H"
-#include "oversetFvPatch.H"
 #include "surfaceFields.H"
 #include "volFields.H"
 
@@ -75,22 +74,13 @@ Foam::scalar Foam::functionObjects::volumeLedger::volume() const
 
 Foam::scalar Foam::functionObjects::volumeLedger::outflowRate() const
 {
-    const surfaceScalarField& alphaPhi =
+    return uniqueVolume::New(mesh_).outflow
+    (
         mesh_.lookupObject<surfaceScalarField>
         (
             "alphaPhi0" + alphaName().substr(5)
-        );
-
-    scalar rate = 0;
-    forAll(alphaPhi.boundaryField(), patchi)
-    {
-        const fvPatch& patch = mesh_.boundary()[patchi];
-        if (!patch.coupled() && !isA<oversetFvPatch>(patch))
-        {
-            rate += sum(alphaPhi.boundaryField()[patchi]);
-        }
-    }
-    return returnReduce(rate, sumOp<scalar>());
+        )
+    );
 }
 
 

@@ -40,12 +40,8 @@ int main(int argc, char *argv[])
 
     const autoPtr<Time> time(Time::New());
     freeBody body(dict, time(), dict.getOrDefault<vector>("g", Zero));
-    const diagTensor I
-    (
-        dict.get<vector>("momentOfInertia").x(),
-        dict.get<vector>("momentOfInertia").y(),
-        dict.get<vector>("momentOfInertia").z()
-    );
+    const vector moments(dict.get<vector>("momentOfInertia"));
+    const diagTensor I(moments.x(), moments.y(), moments.z());
 
     scalar energy0 = 0;
     vector momentum0(Zero);
