@@ -8,6 +8,7 @@
 #include "IStringStream.H"
 #include "Time.H"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -205,19 +206,31 @@ TEST(freeBody, gravityOfTheCaseAddsToTheForce)
 }
 
 
-TEST(freeBody, torqueFreeTopsConvergeInSecondOrder)
+TEST(freeBody, torqueFreeTopsConvergeInTheirOrder)
 {
     for (const char* solver : {symplectic, noEstimate})
     {
-        EXPECT_LT(symmetricTopError(solver, 10000), 7e-9) << solver;
-        EXPECT_NEAR(symmetricTopError(solver, 1000)/symmetricTopError(solver, 10000), 100, 1) << solver;
-
+        const scalar coarseSymmetric = symmetricTopError(solver, 1000);
+        const scalar fineSymmetric = symmetricTopError(solver, 10000);
         const std::pair<scalar, scalar> coarse(asymmetricTopError(solver, 1e-2));
         const std::pair<scalar, scalar> fine(asymmetricTopError(solver, 1e-3));
+        EXPECT_LT(fineSymmetric, 7e-9) << solver;
         EXPECT_LT(fine.first, 7e-7) << solver;
         EXPECT_LT(fine.second, 4e-7) << solver;
-        EXPECT_NEAR(coarse.first/fine.first, 100, 1) << solver;
-        EXPECT_NEAR(coarse.second/fine.second, 100, 1) << solver;
+
+        if (solver == symplectic)
+        {
+            EXPECT_NEAR(coarseSymmetric/fineSymmetric, 100, 1) << solver;
+            EXPECT_NEAR(coarse.first/fine.first, 100, 1) << solver;
+            EXPECT_NEAR(coarse.second/fine.second, 100, 1) << solver;
+        }
+        else
+        {
+            // Sixth order: nothing left to converge, at the coarse steps already
+            EXPECT_LT(coarseSymmetric, 7e-9) << solver;
+            EXPECT_LT(std::max(coarse.first, coarse.second), 1e-8) << solver;
+            EXPECT_LT(std::max(fine.first, fine.second), 1e-8) << solver;
+        }
     }
 }
 
