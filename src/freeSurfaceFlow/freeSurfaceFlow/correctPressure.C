@@ -10,7 +10,87 @@
 #include "oversetAdjustPhi.H"
 #include "profiling.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- Sum over each cell's faces of a function of a face vector and a factor
+template<class Type, class Function>
+tmp<Field<Type>> sumOverFaces
+(
+    const surfaceVectorField& vectors,
+    const surfaceScalarField& factors,
+    const Function& f
+)
+{
+    const fvMesh& mesh = vectors.mesh();
+    tmp<Field<Type>> tsum(new Field<Type>(mesh.nCells(), Zero));
+    Field<Type>& sum = tsum.ref();
+
+    const labelUList& own = mesh.owner();
+    const labelUList& nei = mesh.neighbour();
+    forAll(nei, facei)
+    {
+        const Type value(f(vectors[facei], factors[facei]));
+        sum[own[facei]] += value;
+        sum[nei[facei]] += value;
+    }
+    forAll(vectors.boundaryField(), patchi)
+    {
+        const labelUList& cells = mesh.boundary()[patchi].faceCells();
+        const fvsPatchVectorField& vp = vectors.boundaryField()[patchi];
+        const fvsPatchScalarField& fp = factors.boundaryField()[patchi];
+        forAll(vp, i)
+        {
+            sum[cells[i]] += f(vp[i], fp[i]);
+        }
+    }
+    return tsum;
+}
+
+} // End anonymous namespace
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::tmp<Foam::vectorField> Foam::freeSurfaceFlow::reconstruct
+(
+    const surfaceVectorField& a,
+    const surfaceScalarField& b
+)
+{
+    if (!cellShapes_.valid())
+    {
+        cellShapes_ =
+            inv
+            (
+                sumOverFaces<symmTensor>
+                (
+                    mesh_.Sf(),
+                    mesh_.magSf(),
+                    [](const vector& Sf, const scalar magSf)
+                    {
+                        return sqr(Sf)/magSf;
+                    }
+                )
+            );
+    }
+    return
+        cellShapes_()
+      & sumOverFaces<vector>
+        (
+            a,
+            b,
+            [](const vector& ai, const scalar bi)
+            {
+                return ai*bi;
+            }
+        );
+}
+
 
 void Foam::freeSurfaceFlow::correctUf()
 {
@@ -156,7 +236,10 @@ void Foam::freeSurfaceFlow::correctPressure()
             {
                 dPhi += tphig();
             }
-            U_ = HbyA + rAU*fvc::reconstruct(dPhi/rAUf);
+            U_.primitiveFieldRef() =
+                HbyA.primitiveField()
+              + rAU.primitiveField()
+               *reconstruct(correctorTerms_->nByrAUf, dPhi);
             if (composite_)
             {
                 U_ *= composite_->cellMask();

@@ -75,7 +75,8 @@ Foam::freeSurfaceFlow::correctorTerms::correctorTerms
 )
 :
     rAU("rAU", trAU),
-    rAUf("rAUf", fvc::interpolate(rAU))
+    rAUf("rAUf", fvc::interpolate(rAU)),
+    nByrAUf(rAU.mesh().Sf()/(rAU.mesh().magSf()*rAUf))
 {}
 
 
@@ -186,6 +187,7 @@ Foam::freeSurfaceFlow::freeSurfaceFlow(dynamicFvMesh& mesh)
     fvOptions_(fv::options::New(mesh)),
     turbulence_(incompressible::turbulenceModel::New(U_, phi_, mixture_)),
     UEqn_(),
+    cellShapes_(),
     correctorTerms_(),
     rAU_(),
     cumulativeContinuityError_(0)

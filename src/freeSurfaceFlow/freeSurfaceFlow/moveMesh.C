@@ -35,6 +35,7 @@ void Foam::freeSurfaceFlow::moveMesh()
     {
         return;
     }
+    cellShapes_.clear();
 
     if (mesh_.topoChanging())
     {

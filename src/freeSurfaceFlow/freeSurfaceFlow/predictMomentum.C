@@ -70,12 +70,18 @@ void Foam::freeSurfaceFlow::predictMomentum()
         force += tbodyForces();
     }
 
-    tmp<volVectorField> tsource(fvc::reconstruct(force*mesh_.magSf()));
+    volVectorField::Internal source
+    (
+        IOobject("forces", time_.timeName(), mesh_),
+        mesh_,
+        force.dimensions(),
+        reconstruct(mesh_.Sf(), force)
+    );
     if (composite_)
     {
-        tsource = composite_->cellMask()*tsource;
+        source *= composite_->cellMask()();
     }
-    solve(UEqn == tsource);
+    solve(UEqn == source);
     fvOptions_.correct(U_);
 }
 
