@@ -63,24 +63,19 @@ void Foam::fringeVolume::conserve
     // Fractions of what a cell has or lacks, at most, in a step
     const scalar most = 0.1;
 
-    const scalarField isDonor(composite_.donorCells());
-    scalar error = unique_.of(alpha.primitiveField()) - expected_;
+    scalarField& a = alpha.primitiveFieldRef();
+    scalarField room(composite_.donorCells()*max(a*(1 - a), scalar(0)));
 
-    // Acceptors follow what their donors are given: again for what they make
-    // of it
-    for (label i = 0; i < 3; ++i)
+    // Acceptors follow what their donors are given
+    alpha.mesh().interpolate(room);
+
+    scalar error = unique_.of(a) - expected_;
+    const scalar all = unique_.of(room);
+    if (all > 0)
     {
-        scalarField& a = alpha.primitiveFieldRef();
-        const scalarField room(isDonor*max(a*(1 - a), scalar(0)));
-        const scalar all = unique_.of(room);
-        if (!(all > 0))
-        {
-            break;
-        }
-        const scalar k = max(-most, min(most, error/all));
-        a -= k*room;
+        a -= max(-most, min(most, error/all))*room;
         alpha.correctBoundaryConditions();
-        error = unique_.of(alpha.primitiveField()) - expected_;
+        error = unique_.of(a) - expected_;
     }
 
     // With all its digits, whatever precision is written with

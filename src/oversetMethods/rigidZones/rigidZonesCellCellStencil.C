@@ -492,6 +492,23 @@ void Foam::cellCellStencils::rigidZones::setStencils(const labelList& donors)
     List<Map<label>> compactMap;
     map_.reset(new mapDistribute(globalCells_, stencil_, compactMap));
 
+    // This processor's values are in their places already: of them only those
+    // that are used need to travel
+    boolList isUsed(mesh_.nCells(), false);
+    for (const label celli : interpolationCells_)
+    {
+        for (const label slot : stencil_[celli])
+        {
+            if (slot < isUsed.size())
+            {
+                isUsed[slot] = true;
+            }
+        }
+    }
+    const labelList used(findIndices(isUsed, true));
+    map_->subMap()[Pstream::myProcNo()] = used;
+    map_->constructMap()[Pstream::myProcNo()] = used;
+
     if (returnReduce(nWithoutCalculated, sumOp<label>()))
     {
         WarningInFunction
@@ -615,10 +632,18 @@ void Foam::cellCellStencils::rigidZones::stencilWeights
         {
             moment += weights[i]*sqr(donors[i] - sample - mean);
         }
-        // Those left may span a plane, or less
-        moment += symmTensor::I*(1e-6*tr(moment) + 1e-12*total*size);
+        // Those left may span a plane, or less; where they span, what that
+        // takes from the gradient is given back
+        const symmTensor inverse
+        (
+            inv(moment + symmTensor::I*(1e-6*tr(moment) + 1e-12*total*size))
+        );
+        vector gradient(inverse & mean);
+        for (label i = 0; i < 2; ++i)
+        {
+            gradient += inverse & (mean - (moment & gradient));
+        }
 
-        const vector gradient(inv(moment) & mean);
         label least = 0;
         forAll(donors, i)
         {

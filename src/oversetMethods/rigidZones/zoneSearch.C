@@ -9,6 +9,8 @@
 void Foam::zoneSearch::build()
 {
     const fvMesh& zone = zone_.subMesh();
+    reach_ = boundBox(zone.points(), true);
+    reach_.inflate(1e-6);
     if (!zone.nCells())
     {
         return;
@@ -21,12 +23,11 @@ void Foam::zoneSearch::build()
         return result;
     };
 
-    // Tetrahedra fill the space between warped faces too
     cells_.reset
     (
         new indexedOctree<treeDataCell>
         (
-            treeDataCell(true, zone, polyMesh::CELL_TETS),
+            treeDataCell(true, zone, polyMesh::FACE_PLANES),
             tree(boundBox(zone.points(), false)),
             10, 10, 5
         )
@@ -111,7 +112,8 @@ Foam::zoneSearch::zoneSearch
     zone_(mesh, zone, zoneID),
     rotation_(tensor::I),
     translation_(Zero),
-    bounds_()
+    bounds_(),
+    reach_()
 {
     // Collective: processors without cells of the zone take part
     (void)zone_.subMesh().nGeometricD();
@@ -157,8 +159,35 @@ Foam::label Foam::zoneSearch::findCell(const point& p) const
     {
         return -1;
     }
-    const label celli = cells_->findInside(reference(p));
-    return celli == -1 ? -1 : zone_.cellMap()[celli];
+    const point r(reference(p));
+    if (!cells_->bb().contains(r))
+    {
+        return -1;
+    }
+    const treeDataCell& shapes = cells_->shapes();
+    const labelList& near = cells_->findIndices(r);
+    for (const label i : near)
+    {
+        if (shapes.contains(i, r))
+        {
+            return zone_.cellMap()[shapes.cellLabels()[i]];
+        }
+    }
+
+    // Tetrahedra fill the space between warped faces too
+    for (const label i : near)
+    {
+        const label celli = shapes.cellLabels()[i];
+        if
+        (
+            zone_.subMesh().pointInCellBB(r, celli)
+         && zone_.subMesh().pointInCell(r, celli, polyMesh::CELL_TETS)
+        )
+        {
+            return zone_.cellMap()[celli];
+        }
+    }
+    return -1;
 }
 
 
@@ -169,13 +198,14 @@ Foam::scalar Foam::zoneSearch::nearestBoundary
 ) const
 {
     isInside = false;
-    if (!boundary_)
+    const point r(reference(p));
+    if (!boundary_ || !reach_.contains(r))
     {
         return GREAT;
     }
-    const pointIndexHit nearest(boundary_->findNearest(reference(p), GREAT));
+    const pointIndexHit nearest(boundary_->findNearest(r, GREAT));
     isInside = !isOverset_[nearest.index()];
-    return magSqr(nearest.hitPoint() - reference(p));
+    return magSqr(nearest.hitPoint() - r);
 }
 
 // ************************************************************************* //

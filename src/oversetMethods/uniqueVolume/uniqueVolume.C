@@ -176,15 +176,14 @@ Foam::uniqueVolume::oversetBoundary() const
             {
                 continue;
             }
-            // Fan about the centre: edges, shared with the next face, stay
+            // Fan about a corner: edges, shared with the next face, stay
             const face& f = mesh_.faces()[patch.start() + facei];
-            const point centre = f.centre(points);
-            forAll(f, fp)
+            for (label fp = 2; fp < f.size(); ++fp)
             {
                 triangle t;
-                t[0] = centre;
-                t[1] = points[f[fp]];
-                t[2] = points[f.nextLabel(fp)];
+                t[0] = points[f[0]];
+                t[1] = points[f[fp - 1]];
+                t[2] = points[f[fp]];
                 triangles.append(t);
             }
         }
