@@ -16,84 +16,40 @@ from pathlib import Path
 from typing import Dict, List
 
 import matplotlib
-import numpy as np
 
 HERE = Path(__file__).resolve().parent
-ROOT = HERE.parents[1]
-sys.path[:0] = [str(path) for path in (HERE.parent, ROOT / "applications/utilities/plungePost",
-                                       ROOT / "applications/utilities/plungeCase")]
-from foamDictionary import read  # noqa: E402
-from plungeResults import TRAJECTORY_COLUMNS, CaseError, cell_count, cpu_seconds, read_numbers, read_table, running_mean  # noqa: E402
+sys.path.insert(0, str(HERE.parent))
+from dives import ROOT, WINDOW, Difference, Dive  # noqa: E402
+from plungeResults import CaseError, cell_count, cpu_seconds  # noqa: E402
 from resultTable import Row, limit, show, write  # noqa: E402
 
 FIGURE = ROOT / "docs/figures/singleMeshTwin.png"
-WINDOW = 1e-3   # [s]: the body moves by a quarter of its diameter
-FIRST = 1e-4    # [s], of the start
-
-
-class Dive:
-    """Loads of one dive over time: along the axis (against the motion positive) and across it [N]."""
-
-    def __init__(self, run: Path) -> None:
-        given = read(run / "system/plungeGenerated")
-        table = read_table(run / "results/trajectory.csv", TRAJECTORY_COLUMNS)
-        self.run, self.mesh, self.resolution = run, given["mesh"], float(given["resolution"])
-        self.impact, self.mass = float(given["speed"]), float(given["bodyMass"])
-        self.time, self.speed = table["time_s"], table["speed_m_s"]
-        force = np.stack([table[f"Fp{c}_N"] + table[f"Fv{c}_N"] for c in "xyz"])
-        pitch = np.radians(table["pitch_deg"])
-        forward = np.stack((np.cos(pitch), 0*pitch, np.sin(pitch)))
-        dorsal = np.stack((-np.sin(pitch), 0*pitch, np.cos(pitch)))
-        self.load = {"axial": -np.sum(force*forward, axis=0), "lateral": np.sum(force*dorsal, axis=0)}
-        self.mean = {name: running_mean(self.time, load, WINDOW) for name, load in self.load.items()}
-
-    def noise(self, name: str) -> float:
-        """Rms of a load about its running mean after the first WINDOW [N]."""
-        return float(np.sqrt(np.mean((self.load[name] - self.mean[name])[self.time > WINDOW]**2)))
-
-    def impulse(self) -> float:
-        """Of the fluids on the body in the first steps [N s]."""
-        first = (self.time > 0) & (self.time <= FIRST)
-        return float(np.sum((self.load["axial"][1:]*np.diff(self.time))[first[1:]]))
 
 
 def compare(overset: Dive, single: Dive) -> List[Row]:
-    end = min(overset.time[-1], single.time[-1])
-    time = np.linspace(0, end, 2001)
-
-    def apart(a: np.ndarray, b: np.ndarray) -> np.ndarray:
-        return np.abs(np.interp(time, overset.time, a) - np.interp(time, single.time, b))
-
-    peak = float(single.mean["axial"].max())
+    apart = Difference(overset, single)
     at = f"resolution {overset.resolution:g}: "
     mean = f", means over {1e3*WINDOW:g} ms"
-    early = time <= 0.02
-    lateral, axial = (100*apart(overset.mean[name], single.mean[name])/peak for name in ("lateral", "axial"))
-    ledgers = {dive.mesh: read_numbers(dive.run / "results/summary.csv")["max |volume ledger error|"] for dive in (overset, single)}
     rows = [
-        Row(at + f"axial load, largest, single mesh{mean}", peak, "N"),
-        limit(at + "speed, largest difference to the single mesh over the impact speed",
-              100*float(apart(overset.speed, single.speed).max())/overset.impact, "%", 0.5),
-        limit(at + f"axial acceleration, largest difference over the largest{mean}", float(axial.max()), "%", 2),
-        limit(at + f"lateral load, largest difference over the largest axial load{mean}", float(lateral.max()), "%", 2),
-        Row(at + "the same, to 20 ms", float(lateral[early].max()), "%"),
-        Row(at + "the same, mean over the dive", float(lateral.mean()), "%"),
+        Row(at + f"axial load, largest, single mesh{mean}", apart.peak, "N"),
+        limit(at + "speed, largest difference to the single mesh over the impact speed", float(apart.speed.max()), "%", 0.5),
+        limit(at + f"axial acceleration, largest difference over the largest{mean}", float(apart.axial.max()), "%", 2),
+        limit(at + f"lateral load, largest difference over the largest axial load{mean}", float(apart.lateral.max()), "%", 2),
+        Row(at + "the same, to 20 ms", float(apart.lateral[apart.time <= 0.02].max()), "%"),
+        Row(at + "the same, mean over the dive", float(apart.lateral.mean()), "%"),
         limit(at + "impulse of the first 0.1 ms, difference to the single mesh over mass times impact speed",
               100*abs(overset.impulse() - single.impulse())/(overset.mass*overset.impact), "%", 0.01),
     ]
     for dive in (overset, single):
         which = f"{at}{dive.mesh} mesh, "
-        cpu = f"{cpu_seconds(dive.run):.0f}"
-        value, unit = ledgers[dive.mesh]
+        volume = which + "largest error of the liquid's volume over the body's"
         rows += [
-            Row(which + "cells", str(cell_count(dive.run)), "1", cpu_s=cpu),
-            limit(which + "largest error of the liquid's volume over the body's", value, unit, 0.01) if dive is overset
-            else Row(which + "largest error of the liquid's volume over the body's", value, unit),
-            Row(which + f"lateral load, rms about its mean over {1e3*WINDOW:g} ms, over the largest axial load",
-                100*dive.noise("lateral")/peak, "%"),
-            Row(which + f"axial load, rms about its mean over {1e3*WINDOW:g} ms, over the largest axial load",
-                100*dive.noise("axial")/peak, "%"),
+            Row(which + "cells", str(cell_count(dive.run)), "1", cpu_s=f"{cpu_seconds(dive.run):.0f}"),
+            limit(volume, dive.ledger(), "% of body volume", 0.01) if dive is overset
+            else Row(volume, dive.ledger(), "% of body volume"),
         ]
+        rows += [Row(which + f"{name} load, rms about its mean over {1e3*WINDOW:g} ms, over the largest axial load",
+                     100*dive.noise(name)/apart.peak, "%") for name in ("lateral", "axial")]
     return rows
 
 

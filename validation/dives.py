@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Dives of cases/gannetPlunge and their loads, for studies that compare them."""
+import subprocess
+import sys
+from pathlib import Path
+from typing import Dict, Sequence
+
+import numpy as np
+
+ROOT = Path(__file__).resolve().parents[1]
+sys.path[:0] = [str(ROOT / "applications/utilities/plungePost"), str(ROOT / "applications/utilities/plungeCase")]
+from foamDictionary import read  # noqa: E402
+from particleRuns import override  # noqa: E402
+from plungeResults import TRAJECTORY_COLUMNS, read_numbers, read_table, running_mean  # noqa: E402
+
+CASE = ROOT / "cases/gannetPlunge"
+WINDOW = 1e-3   # [s], of running means: the body moves by a quarter of its diameter
+FIRST = 1e-4    # [s], of the start
+
+
+def start(run: Path, options: Sequence[str], changes: Dict[str, str] = {}) -> "subprocess.Popen[bytes]":
+    """Begins a dive, or goes on with it; files of the case take other entries. Its steps are in <run>.log."""
+    if not run.exists():
+        subprocess.run(["plungeCase", "-case", str(CASE), "-run", str(run), *options], check=True, stdout=subprocess.DEVNULL)
+        for file, text in changes.items():
+            override(run, file, text)
+    with run.with_suffix(".log").open("w") as log:
+        return subprocess.Popen([str(CASE / "Allrun"), "-run", str(run), *options], stdout=log, stderr=subprocess.STDOUT)
+
+
+def finish(*dives: "subprocess.Popen[bytes]") -> None:
+    """Waits for them; says where it has gone wrong."""
+    for dive in dives:
+        if dive.wait():
+            raise SystemExit(f"a dive has failed: {' '.join(map(str, dive.args))}; see the file .log beside its directory")
+
+
+class Dive:
+    """Loads of one dive over time: along the axis (against the motion positive) and across it, of the whole body [N]."""
+
+    def __init__(self, run: Path) -> None:
+        given = read(run / "system/plungeGenerated")
+        table = read_table(run / "results/trajectory.csv", TRAJECTORY_COLUMNS)
+        self.run, self.mesh, self.resolution = run, given["mesh"], float(given["resolution"])
+        self.impact, self.mass = float(given["speed"]), float(given["bodyMass"])
+        self.time, self.speed = table["time_s"], table["speed_m_s"]
+        force = np.stack([table[f"Fp{c}_N"] + table[f"Fv{c}_N"] for c in "xyz"])
+        pitch = np.radians(table["pitch_deg"])
+        forward = np.stack((np.cos(pitch), 0*pitch, np.sin(pitch)))
+        dorsal = np.stack((-np.sin(pitch), 0*pitch, np.cos(pitch)))
+        self.load = {"axial": -np.sum(force*forward, axis=0), "lateral": np.sum(force*dorsal, axis=0)}
+        self.mean = {name: running_mean(self.time, load, WINDOW) for name, load in self.load.items()}
+
+    def noise(self, name: str) -> float:
+        """Rms of a load about its running mean after the first WINDOW [N]."""
+        return float(np.sqrt(np.mean((self.load[name] - self.mean[name])[self.time > WINDOW]**2)))
+
+    def impulse(self) -> float:
+        """Of the fluids on the body in the first steps [N s]."""
+        first = (self.time > 0) & (self.time <= FIRST)
+        return float(np.sum((self.load["axial"][1:]*np.diff(self.time))[first[1:]]))
+
+    def ledger(self) -> float:
+        """Largest error of the liquid's volume over the body's [%]."""
+        return read_numbers(self.run / "results/summary.csv")["max |volume ledger error|"][0]
+
+
+class Difference:
+    """Of a dive to another one, over time [s]: of the speed over the impact speed, and of the running means of the loads over
+    the largest axial load of the other one, `peak` [N]; in percent."""
+
+    def __init__(self, dive: Dive, other: Dive) -> None:
+        self.time = np.linspace(0, min(dive.time[-1], other.time[-1]), 2001)
+        self.peak = float(other.mean["axial"].max())
+
+        def apart(ours: np.ndarray, theirs: np.ndarray, scale: float) -> np.ndarray:
+            return 100*np.abs(np.interp(self.time, dive.time, ours) - np.interp(self.time, other.time, theirs))/scale
+
+        self.speed = apart(dive.speed, other.speed, other.impact)
+        self.axial, self.lateral = (apart(dive.mean[name], other.mean[name], self.peak) for name in ("axial", "lateral"))
