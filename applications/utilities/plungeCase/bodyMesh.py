@@ -13,6 +13,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from scipy.interpolate import PchipInterpolator
+from scipy.optimize import brentq
 
 from bodyGeometry import Body
 
@@ -25,12 +26,14 @@ class MeshSize:
     ring_cells: int       # from the edge of the square to the circle
     axial_cells: int      # from nose to tail
     layers: int           # from the wall to the outer surface
+    outer_layers: int     # from there on to the far boundary, of a mesh that has no background; else 0
     nose_spacing: float   # along the meridian, at the nose
     body_spacing: float   # the longest along the meridian
     tail_spacing: float   # at the edge of the tail's cap
     growth: float         # of the spacing per unit of arc length
     offset: tuple[float, float, float]     # from the wall to the outer surface at nose, thickest section, tail
     stretching: tuple[float, float, float]  # ln(outermost layer/first layer), same places
+    reach: float          # from the wall to the far boundary
 
 
 # In the tail's cap the arc length from the tip goes with this power of the number of cells. On a slender cone the
@@ -62,8 +65,19 @@ def axial_cell_count(body: Body, size: MeshSize) -> float:
     return float(np.trapz(1 / _spacing(body, size, s), s)) + _cap(size)
 
 
+def _share(stretching: np.ndarray | float, t: np.ndarray | float) -> np.ndarray | float:
+    """Of the way that a share t of geometrically growing layers goes."""
+    return np.expm1(stretching * t) / np.expm1(stretching)
+
+
+def _outer_stretching(size: MeshSize, offset: float, stretching: float) -> float:
+    """ln(outermost layer/first layer) of the outer layers, the first of which is as thick as the last one within."""
+    last = offset * (1 - _share(stretching, 1 - 1 / size.layers))
+    return brentq(lambda b: (size.reach - offset) * _share(b, 1 / size.outer_layers) - last, 1e-3, 50)
+
+
 class Meridian:
-    """The grid in a half plane through the axis: point(u, t) with u in [0, axial_cells], t in [0, layers]."""
+    """The grid in a half plane through the axis: point(u, t) with u in [0, axial_cells], t in [0, layers + outer_layers]."""
 
     def __init__(self, body: Body, size: MeshSize):
         self.size = size
@@ -91,16 +105,22 @@ class Meridian:
         knots = [0, middle, u[-1]]
         self._offset = PchipInterpolator(knots, size.offset)
         self._stretching = PchipInterpolator(knots, size.stretching)
+        if size.outer_layers:
+            self._outer_stretching = PchipInterpolator(knots, [_outer_stretching(size, *at) for at in zip(size.offset, size.stretching)])
 
     def point(self, u: np.ndarray, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Distance from the nose along the axis and distance from the axis [m]."""
         x, r = self._body.point(self._c(u))
-        b = self._stretching(u)
-        share = np.expm1(b * t / self.size.layers) / np.expm1(b)
+        share = _share(self._stretching(u), np.minimum(t, self.size.layers) / self.size.layers)
         wall, outer = self._wall_angle(u), self._outer_angle(u)
         distance = self._offset(u) * share
         x += distance * ((1 - share) * np.cos(wall) + share * np.cos(outer))
         r += distance * ((1 - share) * np.sin(wall) + share * np.sin(outer))
+        if self.size.outer_layers:
+            beyond = np.maximum(t - self.size.layers, 0) / self.size.outer_layers
+            further = (self.size.reach - self._offset(u)) * _share(self._outer_stretching(u), beyond)
+            x += further * np.cos(outer)
+            r += further * np.sin(outer)
         return x, r
 
 
@@ -207,22 +227,23 @@ def build(body: Body, size: MeshSize, full: bool) -> VolumeMesh:
 def extrude(surface: SurfaceGrid, body: Body, size: MeshSize) -> VolumeMesh:
     """Layers of hexahedra over a half surface, along the meridian's lines."""
     meridian = Meridian(body, size)
+    count = size.layers + size.outer_layers
     layers = []
-    for k in range(size.layers + 1):
+    for k in range(count + 1):
         x, r = meridian.point(surface.u, np.full_like(surface.u, k))
         layers.append(np.stack((x, r * surface.sin_phi, r * surface.cos_phi), axis=-1))
     nodes = np.vstack(layers)
     stride = len(surface.u)
 
-    lower = surface.quads[None] + stride * np.arange(size.layers)[:, None, None]
+    lower = surface.quads[None] + stride * np.arange(count)[:, None, None]
     hexahedra = np.concatenate((lower, lower + stride), axis=-1).reshape(-1, 8)
     wall = surface.quads[:, ::-1]
-    outer = surface.quads + stride * size.layers
+    outer = surface.quads + stride * count
 
     edges = np.vstack([surface.quads[:, [a, (a + 1) % 4]] for a in range(4)])
     _, first, counts = np.unique(np.sort(edges, axis=1), axis=0, return_index=True, return_counts=True)
     open_edges = edges[first[counts == 1]]
-    low = open_edges[None] + stride * np.arange(size.layers)[:, None, None]
+    low = open_edges[None] + stride * np.arange(count)[:, None, None]
     symmetry = np.concatenate((low, low[..., ::-1] + stride), axis=-1).reshape(-1, 4)
 
     return VolumeMesh(nodes, hexahedra, wall, outer, symmetry)

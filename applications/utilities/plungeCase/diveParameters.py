@@ -5,12 +5,11 @@ from __future__ import annotations
 
 import subprocess
 from dataclasses import dataclass, replace
-from math import ceil, cos, expm1, radians, sin, sqrt
+from math import ceil, cos, radians, sin, sqrt
 from pathlib import Path
 from typing import Any, Callable
 
 import numpy as np
-from scipy.optimize import brentq
 
 import foamDictionary
 from bodyGeometry import Body
@@ -227,28 +226,21 @@ def mesh_size(body: Body, tier: dict[str, Any], resolution: float) -> MeshSize:
         cap_cells=round(tier["capCells"] * resolution),
         ring_cells=max(1, round(tier["ringCells"] * resolution)),
         axial_cells=0,
-        layers=round(tier["layers"] * resolution),
+        layers=round(tier["layers"] * resolution), outer_layers=0,
         nose_spacing=tier["noseSpacing"] * unit, body_spacing=tier["bodySpacing"] * unit,
         tail_spacing=tier["tailSpacing"] * unit, growth=tier["growth"] / resolution,
-        offset=tuple(body.length * d for d in tier["offset"]), stretching=tuple(tier["stretching"]),
+        offset=tuple(body.length * d for d in tier["offset"]), stretching=tuple(tier["stretching"]), reach=0.0,
     )
     return replace(size, axial_cells=round(axial_cell_count(body, size)))
 
 
-# Of a body mesh without a background: what it reaches, in body lengths, and its layers over the tier's.
-_SINGLE_REACH, _SINGLE_LAYERS = 1.6, 3
+# Of a body mesh without a background: how far it reaches, in body lengths, and its outer layers over the tier's layers.
+_SINGLE_REACH, _SINGLE_OUTER_LAYERS = 1.6, 1.5
 
 
 def single_mesh_size(size: MeshSize, length: float) -> MeshSize:
-    """The body mesh extended to the far boundary: its first layers are as thick, all grow more slowly."""
-    layers, reach = _SINGLE_LAYERS * size.layers, _SINGLE_REACH * length
-
-    def stretching(offset: float, given: float) -> float:
-        first = offset * expm1(given / size.layers) / expm1(given)
-        return brentq(lambda b: reach * expm1(b / layers) / expm1(b) - first, 1e-3, 50)
-
-    return replace(size, layers=layers, offset=(reach, reach, reach),
-                   stretching=tuple(stretching(*pair) for pair in zip(size.offset, size.stretching)))
+    """The body mesh, unchanged, with further layers about it that reach the far boundary."""
+    return replace(size, outer_layers=round(_SINGLE_OUTER_LAYERS * size.layers), reach=_SINGLE_REACH * length)
 
 
 def cores_split(cores: int) -> list[int]:
@@ -318,15 +310,16 @@ def mesh_sections(dive: Dive, path: StraightPath) -> list[tuple[str, dict[str, A
     single = p["mesh"] == "single"
     if single:
         size, background = single_mesh_size(size, length), 0
-    all_cells = background + quads * size.layers * (2 if full else 1)
+    all_cells = background + quads * (size.layers + size.outer_layers) * (2 if full else 1)
     time_step = min(0.5 * tier["maxCo"] * size.nose_spacing / path.speed, tier["maxDeltaT"] / resolution)
 
     return [
         ("Body mesh", {
             "capCells": size.cap_cells, "ringCells": size.ring_cells, "axialCells": size.axial_cells,
-            "layers": size.layers, "noseSpacing": size.nose_spacing, "bodySpacing": size.body_spacing,
+            "layers": size.layers, "outerLayers": size.outer_layers,
+            "noseSpacing": size.nose_spacing, "bodySpacing": size.body_spacing,
             "tailSpacing": size.tail_spacing, "spacingGrowth": size.growth, "offset": list(size.offset),
-            "stretching": list(size.stretching),
+            "stretching": list(size.stretching), "reach": size.reach,
         }),
         *([] if single else [("Background mesh", {
             "xMin": x_low * cell, "xMax": x_high * cell, "yMin": -y_high * cell if full else 0.0,

@@ -1,0 +1,155 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The dive of cases/gannetPlunge, tier fast, by plungeFoam and by OpenFOAM's overInterDyMFoam: result.csv, docs/figures/speed.png.
+
+Each program of a pair has a core of its own at the same time, the same meshes, time step limits, schemes, tolerances and body. The
+stock solver has the stencil of OpenFOAM that is the fastest here, and the integrator addedMass, without which it would need outer
+iterations; it runs once with the correctors of its tutorials and once with those of this case. Errors are differences to a dive
+on a single mesh (validation/singleMeshTwin) with a quarter of the time step.
+
+Two processes against one: the same STEPS time steps, alternately; the efficiency is that of the CPU time, which includes waiting.
+"""
+import re
+import sys
+from pathlib import Path
+from typing import Dict, List, NamedTuple, Tuple
+
+import matplotlib
+
+HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent))
+from dives import ROOT, WINDOW, Difference, Dive, finish, start  # noqa: E402
+from particleRuns import CONTROL  # noqa: E402
+from plungeResults import CaseError, cell_count, cpu_seconds, solver_log  # noqa: E402
+from resultTable import Row, least, limit, show, write  # noqa: E402
+
+FIGURE = ROOT / "docs/figures/speed.png"
+RUNS = HERE / "run"
+REFERENCE = RUNS / "reference"
+STOCK = {
+    CONTROL: "application overInterDyMFoam; libs (overset fvMotionSolvers rigidBody plungeFunctionObjects);",
+    # Voxels of two cells in the background and half a cell in the body's mesh
+    "system/fvSchemes": "oversetInterpolation { method trackingInverseDistance; searchBox (-0.61 0 -1.43) (0.65 0.35 1.33); "
+                        "searchBoxDivisions ((25 7 56) (100 28 221)); }",
+}
+TUTORIAL = {"system/fvSolution": "PIMPLE { momentumPredictor no; nCorrectors 3; }"}
+QUARTER_STEPS = {CONTROL: "maxCo 0.25; maxAlphaCo 0.125; maxDeltaT 2.5e-5;"}
+STEPS, STEP = 100, 3e-5     # [-], [s]: the body dives to 65 mm
+FIRST_STEPS = 5             # left out: they pay for what is constructed once
+PROCESSES = 2
+
+
+class Contest(NamedTuple):
+    """A stock solver beside plungeFoam."""
+    name: str
+    stock: Path
+    ours: Path
+    changes: Dict[str, str]
+
+
+CONTESTS = (
+    Contest("overInterDyMFoam", RUNS / "stock", RUNS / "plungeFoam-1", {**STOCK, **TUTORIAL}),
+    Contest("overInterDyMFoam with this case's correctors", RUNS / "stock-tuned", RUNS / "plungeFoam-2", STOCK),
+)
+
+
+def profile(run: Path) -> List[Tuple[str, float]]:
+    """Parts of a step and their shares of the time [%], from the table that `profiling { active true; }` leaves in the log."""
+    lines = re.findall(r"^ *\d+ +[\d.e+-]+ +\d+ +([\d.e+-]+) +[\d.e+-]+   (.+)$", solver_log(run).split("Profile over")[-1], re.M)
+    times = {name: float(time) for time, name in lines}
+    total = times.pop("total")
+    return [(name, 100*time/total) for name, time in times.items()]
+
+
+def accuracy(name: str, dive: Dive, reference: Dive) -> List[Row]:
+    apart = Difference(dive, reference)
+    rows = [Row(f"{name}: time steps", str(len(dive.time) - 1), "1", cpu_s=f"{cpu_seconds(dive.run):.0f}"),
+            Row(f"{name}: speed, largest error over the impact speed", float(apart.speed.max()), "%")]
+    for load in ("axial", "lateral"):
+        error = getattr(apart, load)
+        rows += [Row(f"{name}: {load} load, means over {1e3*WINDOW:g} ms, {what} error over the largest axial load", float(value), "%")
+                 for what, value in (("largest", error.max()), ("mean", error.mean()))]
+        rows.append(Row(f"{name}: {load} load, rms about its mean over {1e3*WINDOW:g} ms, over the largest axial load",
+                        100*dive.noise(load)/apart.peak, "%"))
+    return rows + [Row(f"{name}: largest error of the liquid's volume over the body's", dive.ledger(), "%")]
+
+
+def perStep(run: Path) -> float:
+    """CPU time of a step [s]: of one process, which in parallel never sleeps."""
+    times = [float(t) for t in re.findall(r"^ExecutionTime = (\S+) s", solver_log(run), re.M)]
+    return (times[-1] - times[FIRST_STEPS - 1])/(len(times) - FIRST_STEPS)
+
+
+def efficiency() -> List[Row]:
+    """Of PROCESSES processes on as many cores."""
+    fixed = {CONTROL: f"adjustTimeStep no; deltaT {STEP}; endTime {STEPS*STEP:g};"}
+    found: Dict[int, List[float]] = {1: [], PROCESSES: []}
+    for turn in (1, 2):
+        for count in found:
+            run = RUNS / f"processes-{count}-{turn}"
+            finish(start(run, ["-np", str(count)], fixed))
+            found[count].append(perStep(run))
+    serial, parallel = (min(times) for times in found.values())
+    return [least(f"{PROCESSES} processes: efficiency against one", serial/(PROCESSES*parallel), "1", 0.85)]
+
+
+def draw(dives: Dict[str, Dive], cost: Dict[str, float]) -> None:
+    matplotlib.use("Agg")
+    from matplotlib import pyplot
+
+    picture, axes = pyplot.subplots(1, 3, figsize=(15, 4.5))
+    for number, (name, dive) in enumerate(dives.items()):
+        for axis, load in zip(axes, ("axial", "lateral")):
+            color = "black" if dive.run == REFERENCE else f"C{number}"
+            axis.plot(1e3*dive.time[2:], dive.load[load][2:], color=color, linewidth=0.4, alpha=0.5)
+            axis.plot(1e3*dive.time, dive.mean[load], color=color, linewidth=1, label=name)
+            axis.set(xlabel="time [ms]", ylabel=f"{load} load on the body [N]")
+    axes[0].set(ylim=(-20, 180))
+    axes[1].set(ylim=(-20, 50))
+    axes[0].legend(fontsize="small")
+    axes[0].set_title(f"Thin: as computed; thick: means over {1e3*WINDOW:g} ms", fontsize="medium")
+    axes[2].barh(list(cost), list(cost.values()), color=[f"C{i}" for i in range(len(cost))])
+    axes[2].invert_yaxis()
+    axes[2].set_yticks([])
+    for i, (name, value) in enumerate(cost.items()):
+        axes[2].text(0.02, i, f"{name}: {value:.2f}", va="center", fontsize="small")
+    axes[2].set(xlabel="CPU time of the dive over overInterDyMFoam's")
+    picture.tight_layout()
+    picture.savefig(FIGURE, dpi=90)
+
+
+def main() -> None:
+    profiled = {CONTROL: "profiling { active true; }"}
+    for contest in CONTESTS:
+        finish(start(contest.ours, ["-np", "1"], profiled), start(contest.stock, ["-np", "1"], contest.changes))
+    rows = efficiency()
+    finish(start(REFERENCE, ["-np", str(PROCESSES), "-mesh", "single"], QUARTER_STEPS))
+
+    reference, ours = Dive(REFERENCE), Dive(CONTESTS[0].ours)
+    found = [Row("cells", str(cell_count(ours.run)), "1"), Row("reference: cells", str(cell_count(REFERENCE)), "1"),
+             Row("reference: time steps", str(len(reference.time) - 1), "1")]
+    cost = {"plungeFoam": 0.0}
+    for contest in CONTESTS:
+        cpu = {run: cpu_seconds(run) for run in (contest.ours, contest.stock)}
+        ratio = cpu[contest.ours]/cpu[contest.stock]
+        found.append(limit(f"CPU time of plungeFoam over that of {contest.name}", ratio, "1", 0.5))
+        if contest is CONTESTS[0]:
+            cost.update({"plungeFoam": ratio, contest.name: 1.0})
+        else:
+            cost[contest.name] = cost["plungeFoam"]/ratio
+    dives = {"reference": reference, "plungeFoam": ours, **{contest.name: Dive(contest.stock) for contest in CONTESTS}}
+    for name, dive in dives.items():
+        if dive is not reference:
+            found += accuracy(name, dive, reference)
+    found += rows
+    found += [Row(f"plungeFoam: share of a step, {part}", share, "%") for part, share in profile(ours.run)]
+    write(HERE / "result.csv", found)
+    show(found)
+    draw(dives, cost)
+
+
+if __name__ == "__main__":
+    try:
+        main()
+    except CaseError as error:
+        sys.exit(f"compare.py: {error}")
