@@ -133,10 +133,12 @@ void Foam::freeSurfaceFlow::setCorrectorTerms()
            *fvc::ddtCorr(U_, Uf_());
     }
 
-    tmp<surfaceScalarField> tforces(bodyForces());
-    if (tforces.valid())
+    if (bodyForces_.valid())
     {
-        tforces = tforces*correctorTerms_->rAUf*mesh_.magSf();
+        tmp<surfaceScalarField> tforces
+        (
+            bodyForces_*correctorTerms_->rAUf*mesh_.magSf()
+        );
         if (composite_)
         {
             tforces.ref() *= composite_->faceMask();

@@ -187,6 +187,7 @@ Foam::freeSurfaceFlow::freeSurfaceFlow(dynamicFvMesh& mesh)
     fvOptions_(fv::options::New(mesh)),
     turbulence_(incompressible::turbulenceModel::New(U_, phi_, mixture_)),
     UEqn_(),
+    bodyForces_(),
     cellShapes_(),
     correctorTerms_(),
     rAU_(),

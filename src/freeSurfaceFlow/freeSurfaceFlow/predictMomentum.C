@@ -7,26 +7,25 @@
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::tmp<Foam::surfaceScalarField> Foam::freeSurfaceFlow::bodyForces() const
+void Foam::freeSurfaceFlow::setBodyForces()
 {
-    tmp<surfaceScalarField> tforce;
+    bodyForces_.clear();
     if (scene_.surfaceTension())
     {
-        tforce = interface_->surfaceTensionForce();
+        bodyForces_ = interface_->surfaceTensionForce();
     }
     if (buoyancy_)
     {
         tmp<surfaceScalarField> tweight(-buoyancy_->ghf*fvc::snGrad(rho_));
-        if (tforce.valid())
+        if (bodyForces_.valid())
         {
-            tforce.ref() += tweight;
+            bodyForces_.ref() += tweight;
         }
         else
         {
-            tforce = tweight;
+            bodyForces_ = tweight;
         }
     }
-    return tforce;
 }
 
 
@@ -39,6 +38,7 @@ void Foam::freeSurfaceFlow::predictMomentum()
     MRF_.correctBoundaryVelocity(U_);
 
     correctorTerms_.clear();
+    setBodyForces();
     UEqn_ = tmp<fvVectorMatrix>
     (
         fvm::ddt(rho_, U_) + fvm::div(rhoPhi_, U_)
@@ -64,10 +64,9 @@ void Foam::freeSurfaceFlow::predictMomentum()
     }
 
     surfaceScalarField force(-fvc::snGrad(p_rgh_));
-    const tmp<surfaceScalarField> tbodyForces(bodyForces());
-    if (tbodyForces.valid())
+    if (bodyForces_.valid())
     {
-        force += tbodyForces();
+        force += bodyForces_();
     }
 
     volVectorField::Internal source
