@@ -7,7 +7,10 @@ stock solver has the stencil of OpenFOAM that is the fastest here, and the integ
 iterations; it runs once with the correctors of its tutorials and once with those of this case. Errors are differences to a dive
 on a single mesh (validation/singleMeshTwin) with a quarter of the time step.
 
-Two processes against one: the same STEPS time steps, alternately; the efficiency is that of the CPU time, which includes waiting.
+Two processes against one: the same time steps, alternately; the efficiency is that of the CPU time, which includes waiting.
+
+The pressure's matrix of the composite mesh, which is not symmetric: PBiCGStab with DILU, the case's own, and with OpenFOAM's
+multigrid as preconditioner, at two sizes.
 """
 import re
 import sys
@@ -34,9 +37,12 @@ STOCK = {
 }
 TUTORIAL = {"system/fvSolution": "PIMPLE { momentumPredictor no; nCorrectors 3; }"}
 QUARTER_STEPS = {CONTROL: "maxCo 0.25; maxAlphaCo 0.125; maxDeltaT 2.5e-5;"}
-STEPS, STEP = 100, 3e-5     # [-], [s]: the body dives to 65 mm
 FIRST_STEPS = 5             # left out: they pay for what is constructed once
 PROCESSES = 2
+MULTIGRID = {"system/fvSolution": "solvers { p_rgh { preconditioner { preconditioner GAMG; agglomerator algebraicPair; "
+                                  "smoother GaussSeidel; nFinestSweeps 2; scaleCorrection no; nCellsInCoarsestLevel 100; "
+                                  "directSolveCoarsest yes; } } p_rghFinal { $p_rgh; relTol 1e-3; } }"}
+TIERS = {"fast": (100, 3e-5), "standard": (15, 1e-5)}   # steps and their length [s]
 
 
 class Contest(NamedTuple):
@@ -80,9 +86,14 @@ def perStep(run: Path) -> float:
     return (times[-1] - times[FIRST_STEPS - 1])/(len(times) - FIRST_STEPS)
 
 
+def fixedSteps(tier: str) -> Dict[str, str]:
+    count, length = TIERS[tier]
+    return {CONTROL: f"adjustTimeStep no; deltaT {length}; endTime {count*length:g}; profiling {{ active true; }}"}
+
+
 def efficiency() -> List[Row]:
     """Of PROCESSES processes on as many cores."""
-    fixed = {CONTROL: f"adjustTimeStep no; deltaT {STEP}; endTime {STEPS*STEP:g};"}
+    fixed = fixedSteps("fast")
     found: Dict[int, List[float]] = {1: [], PROCESSES: []}
     for turn in (1, 2):
         for count in found:
@@ -91,6 +102,25 @@ def efficiency() -> List[Row]:
             found[count].append(perStep(run))
     serial, parallel = (min(times) for times in found.values())
     return [least(f"{PROCESSES} processes: efficiency against one", serial/(PROCESSES*parallel), "1", 0.85)]
+
+
+def iterations(run: Path) -> float:
+    """Of PBiCGStab, mean of the pressure's solutions."""
+    found = [int(n) for n in re.findall(r"Solving for p_rgh,.* No Iterations (\d+)", solver_log(run))]
+    return sum(found)/len(found)
+
+
+def pressureSolvers() -> List[Row]:
+    """Side by side, each preconditioner on one core."""
+    rows: List[Row] = []
+    for tier in TIERS:
+        runs = {name: RUNS / f"{name}-{tier}" for name in ("DILU", "GAMG")}
+        options = ["-np", "1", "-tier", tier]
+        finish(*(start(run, options, {**fixedSteps(tier), **(MULTIGRID if name == "GAMG" else {})}) for name, run in runs.items()))
+        cells = cell_count(runs["DILU"])
+        rows += [Row(f"pressure, {cells} cells, {name}: iterations", iterations(run), "1") for name, run in runs.items()]
+        rows.append(Row(f"pressure, {cells} cells: time of a step with GAMG over that with DILU", perStep(runs["GAMG"])/perStep(runs["DILU"]), "1"))
+    return rows
 
 
 def draw(dives: Dict[str, Dive], cost: Dict[str, float]) -> None:
@@ -122,7 +152,7 @@ def main() -> None:
     profiled = {CONTROL: "profiling { active true; }"}
     for contest in CONTESTS:
         finish(start(contest.ours, ["-np", "1"], profiled), start(contest.stock, ["-np", "1"], contest.changes))
-    rows = efficiency()
+    rows = efficiency() + pressureSolvers()
     finish(start(REFERENCE, ["-np", str(PROCESSES), "-mesh", "single"], QUARTER_STEPS))
 
     reference, ours = Dive(REFERENCE), Dive(CONTESTS[0].ours)
