@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The dive of cases/gannetPlunge, tier fast, by plungeFoam and by OpenFOAM's overInterDyMFoam: result.csv, docs/figures/speed.png.
+"""The dive of cases/gannetPlunge, tier fast, by plungeFoam and by overInterDyMFoam: result.csv, docs/figures/speed.png.
 
 Each program of a pair has a core of its own at the same time, the same meshes, time step limits, schemes, tolerances and body. The
 stock solver has the stencil of OpenFOAM that is the fastest here, and the integrator addedMass, without which it would need outer
@@ -42,6 +42,7 @@ PROCESSES = 2
 MULTIGRID = {"system/fvSolution": "solvers { p_rgh { preconditioner { preconditioner GAMG; agglomerator algebraicPair; "
                                   "smoother GaussSeidel; nFinestSweeps 2; scaleCorrection no; nCellsInCoarsestLevel 100; "
                                   "directSolveCoarsest yes; } } p_rghFinal { $p_rgh; relTol 1e-3; } }"}
+SPEED = 25  # [m/s], of a body of 1 m
 TIERS = {"fast": (100, 3e-5), "standard": (15, 1e-5)}   # steps and their length [s]
 
 
@@ -86,19 +87,20 @@ def perStep(run: Path) -> float:
     return (times[-1] - times[FIRST_STEPS - 1])/(len(times) - FIRST_STEPS)
 
 
-def fixedSteps(tier: str) -> Dict[str, str]:
+def fixedSteps(tier: str, processes: int, changes: Dict[str, str] = {}) -> "Tuple[List[str], Dict[str, str]]":
+    """Options and changes of the case for the first steps of the dive."""
     count, length = TIERS[tier]
-    return {CONTROL: f"adjustTimeStep no; deltaT {length}; endTime {count*length:g}; profiling {{ active true; }}"}
+    options = ["-np", str(processes), "-tier", tier, "-set", f"dive.travel={SPEED*count*length:g}", "-set", "output.frames=1"]
+    return options, {CONTROL: f"adjustTimeStep no; deltaT {length}; profiling {{ active true; }}", **changes}
 
 
 def efficiency() -> List[Row]:
     """Of PROCESSES processes on as many cores."""
-    fixed = fixedSteps("fast")
     found: Dict[int, List[float]] = {1: [], PROCESSES: []}
     for turn in (1, 2):
         for count in found:
             run = RUNS / f"processes-{count}-{turn}"
-            finish(start(run, ["-np", str(count)], fixed))
+            finish(start(run, *fixedSteps("fast", count)))
             found[count].append(perStep(run))
     serial, parallel = (min(times) for times in found.values())
     return [least(f"{PROCESSES} processes: efficiency against one", serial/(PROCESSES*parallel), "1", 0.85)]
@@ -115,11 +117,11 @@ def pressureSolvers() -> List[Row]:
     rows: List[Row] = []
     for tier in TIERS:
         runs = {name: RUNS / f"{name}-{tier}" for name in ("DILU", "GAMG")}
-        options = ["-np", "1", "-tier", tier]
-        finish(*(start(run, options, {**fixedSteps(tier), **(MULTIGRID if name == "GAMG" else {})}) for name, run in runs.items()))
+        finish(*(start(run, *fixedSteps(tier, 1, MULTIGRID if name == "GAMG" else {})) for name, run in runs.items()))
         cells = cell_count(runs["DILU"])
         rows += [Row(f"pressure, {cells} cells, {name}: iterations", iterations(run), "1") for name, run in runs.items()]
-        rows.append(Row(f"pressure, {cells} cells: time of a step with GAMG over that with DILU", perStep(runs["GAMG"])/perStep(runs["DILU"]), "1"))
+        rows.append(Row(f"pressure, {cells} cells: time of a step with GAMG over that with DILU",
+                        perStep(runs["GAMG"])/perStep(runs["DILU"]), "1"))
     return rows
 
 
