@@ -57,6 +57,8 @@ class Mistake(NamedTuple):
 
 
 MISTAKES = {
+    "time step that has collapsed": Mistake(
+        "damBreak", entry("system/controlDict", "minDeltaT", 1), ("controlDict", "minDeltaT")),
     "patch that is missing": Mistake(
         "floatingBody", entry(MOTION, f"{COEFFS}/patches", "(keel)"), ("dynamicMeshDict", "patches", "keel", "floatingObject")),
     "body outside the domain": Mistake(

@@ -40,6 +40,41 @@ Foam::scalar Foam::freeSurfaceFlow::courantNumber
 }
 
 
+void Foam::freeSurfaceFlow::checkTimeStep()
+{
+    const dictionary& control = time_.controlDict();
+    const scalar deltaT = time_.deltaTValue();
+    longestDeltaT_ = max(longestDeltaT_, deltaT);
+
+    // No flow that this solver is for needs steps so much shorter than before
+    const scalar minDeltaT =
+        control.lookupOrDefault<scalar>("minDeltaT", 1e-6*longestDeltaT_);
+    if (deltaT >= minDeltaT)
+    {
+        return;
+    }
+
+    const scalarField speed(mag(U_.primitiveField()));
+    const label fastest = speed.size() ? findMax(speed) : -1;
+    const scalar largest = gMax(speed);
+    point where(-VGREAT, -VGREAT, -VGREAT);
+    if (fastest != -1 && speed[fastest] == largest)
+    {
+        where = mesh_.C()[fastest];
+    }
+    reduce(where, maxOp<point>());
+
+    FatalIOErrorInFunction(control)
+        << "The time step has fallen to " << deltaT << " s, less than "
+        << (control.found("minDeltaT") ? "minDeltaT, " : "")
+        << minDeltaT << " s" << nl
+        << "The flow diverges: it is fastest, " << largest << " m/s, at "
+        << where << nl
+        << "Expected: smaller maxCo and maxAlphaCo, or a better mesh there"
+        << exit(FatalIOError);
+}
+
+
 Foam::tmp<Foam::scalarField> Foam::freeSurfaceFlow::nearInterface() const
 {
     const scalarField& alpha = mixture_.alpha1().primitiveField();
@@ -145,6 +180,7 @@ void Foam::freeSurfaceFlow::chooseTimeStep(Time& time)
     }
 
     Info<< "deltaT = " << time.deltaTValue() << endl;
+    checkTimeStep();
 }
 
 // ************************************************************************* //

@@ -191,7 +191,8 @@ Foam::freeSurfaceFlow::freeSurfaceFlow(dynamicFvMesh& mesh)
     cellShapes_(),
     correctorTerms_(),
     rAU_(),
-    cumulativeContinuityError_(0)
+    cumulativeContinuityError_(0),
+    longestDeltaT_(0)
 {
     check();
 
