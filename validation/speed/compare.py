@@ -11,18 +11,26 @@ Two processes against one: the same time steps, alternately; the efficiency is t
 
 The pressure's matrix of the composite mesh, which is not symmetric: PBiCGStab with DILU, the case's own, and with OpenFOAM's
 multigrid as preconditioner, at two sizes.
+
+OpenFOAM's tutorial floatingBody with cells of twice the size, without probes and output, which are no part of the solvers: stock with
+two outer iterations and relaxation, which its motion solver needs, and the same stencil as above; plungeFoam with its own stencil and
+the integrator addedMass in one pass. Errors are differences to plungeFoam with a quarter of the Courant numbers.
 """
 import re
+import shutil
+import subprocess
 import sys
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Dict, List, NamedTuple, Tuple
 
 import matplotlib
+import numpy as np
 
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent))
 from dives import ROOT, WINDOW, Difference, Dive, finish, start  # noqa: E402
-from particleRuns import CONTROL  # noqa: E402
+from particleRuns import CONTROL, call, isComplete, override  # noqa: E402
 from plungeResults import CaseError, cell_count, cpu_seconds, solver_log  # noqa: E402
 from resultTable import Row, least, limit, show, write  # noqa: E402
 
@@ -34,6 +42,18 @@ STOCK = {
     # Voxels of two cells in the background and half a cell in the body's mesh
     "system/fvSchemes": "oversetInterpolation { method trackingInverseDistance; searchBox (-0.61 0 -1.43) (0.65 0.35 1.33); "
                         "searchBoxDivisions ((25 7 56) (100 28 221)); }",
+}
+FLOATING_END = 0.5  # [s]
+FLOATING = {
+    "overInterDyMFoam": {"system/fvSchemes": "oversetInterpolation { method trackingInverseDistance; "
+                                             "searchBoxDivisions ((64 64 64) (64 64 64)); }"},
+    "plungeFoam": {
+        "system/fvSchemes": "oversetInterpolation { method rigidZones; }",
+        "system/fvSolution": "PIMPLE { momentumPredictor yes; nOuterCorrectors 1; nCorrectors 2; }",
+        CONTROL: "libs (overset fvMotionSolvers rigidBody);",
+        "constant/dynamicMeshDict": "sixDoFRigidBodyMotionCoeffs { accelerationRelaxation 1; accelerationDamping 1; "
+                                    "solver { type addedMass; } }",
+    },
 }
 TUTORIAL = {"system/fvSolution": "PIMPLE { momentumPredictor no; nCorrectors 3; }"}
 QUARTER_STEPS = {CONTROL: "maxCo 0.25; maxAlphaCo 0.125; maxDeltaT 2.5e-5;"}
@@ -74,7 +94,7 @@ def accuracy(name: str, dive: Dive, reference: Dive) -> List[Row]:
             Row(f"{name}: speed, largest error over the impact speed", float(apart.speed.max()), "%")]
     for load in ("axial", "lateral"):
         error = getattr(apart, load)
-        rows += [Row(f"{name}: {load} load, means over {1e3*WINDOW:g} ms, {what} error over the largest axial load", float(value), "%")
+        rows += [Row(f"{name}: {load} load, means over {1e3*WINDOW:g} ms, {what} error over the largest axial", float(value), "%")
                  for what, value in (("largest", error.max()), ("mean", error.mean()))]
         rows.append(Row(f"{name}: {load} load, rms about its mean over {1e3*WINDOW:g} ms, over the largest axial load",
                         100*dive.noise(load)/apart.peak, "%"))
@@ -125,6 +145,51 @@ def pressureSolvers() -> List[Row]:
     return rows
 
 
+def height(run: Path, solver: str) -> Tuple[np.ndarray, np.ndarray]:
+    """Times [s] and heights of the body [m] at the ends of the steps."""
+    found = re.findall(r"^Time = (\S+)$.*?Centre of rotation: \(\S+ \S+ (\S+)\)", (run / f"log.{solver}").read_text(), re.M | re.S)
+    time, z = np.array(found, dtype=float).T
+    return time, z
+
+
+def floatingBody() -> List[Row]:
+    """The tutorial, side by side."""
+    folder = RUNS / "floatingBody"
+    if not folder.exists():
+        subprocess.run([str(HERE.parent / "stockTutorials/setUp"), "-coarser", "2", "-endTime", str(FLOATING_END), "-writeInterval",
+                        str(2*FLOATING_END), "floatingBody", str(folder / "ready")], check=True, stdout=subprocess.DEVNULL)
+        # They search their cells anew in each step: a third of its time
+        call(folder / "ready/background", "foamDictionary", "-disableFunctionEntries", "-entry", "functions/probes", "-remove", CONTROL)
+    runs = {name: folder / name for name in (*FLOATING, "reference")}
+    for name, run in runs.items():
+        if not run.exists():
+            shutil.copytree(folder / "ready/background", run)
+            for file, text in FLOATING["plungeFoam" if name == "reference" else name].items():
+                override(run, file, text)
+    override(runs["reference"], CONTROL, "maxCo 0.375; maxAlphaCo 0.5;")
+    override(runs["reference"], "system/fvSolution", "PIMPLE { momentumPredictor no; nCorrectors 3; }")
+
+    def solve(name: str) -> None:
+        solver = "plungeFoam" if name == "reference" else name
+        if not isComplete(runs[name], solver):
+            call(runs[name], solver)
+
+    with ThreadPoolExecutor() as pool:
+        list(pool.map(solve, FLOATING))
+    solve("reference")
+
+    time, z = height(runs["reference"], "plungeFoam")
+    cpu = {name: float(re.findall(r"ExecutionTime = (\S+) s", (runs[name] / f"log.{name}").read_text())[-1]) for name in FLOATING}
+    ratio = cpu["plungeFoam"]/cpu["overInterDyMFoam"]
+    rows = [limit("floatingBody: CPU time of plungeFoam over that of overInterDyMFoam", ratio, "1", 0.5)]
+    for name in FLOATING:
+        ours = height(runs[name], name)
+        error = np.abs(np.interp(ours[0], time, z) - ours[1]).max()
+        rows.append(Row(f"floatingBody: {name}, height of the body, largest error over its way", 100*float(error/np.ptp(z)), "%"))
+        rows.append(Row(f"floatingBody: {name}, time steps", str(len(ours[0])), "1", cpu_s=f"{cpu[name]:.0f}"))
+    return rows
+
+
 def draw(dives: Dict[str, Dive], cost: Dict[str, float]) -> None:
     matplotlib.use("Agg")
     from matplotlib import pyplot
@@ -154,7 +219,7 @@ def main() -> None:
     profiled = {CONTROL: "profiling { active true; }"}
     for contest in CONTESTS:
         finish(start(contest.ours, ["-np", "1"], profiled), start(contest.stock, ["-np", "1"], contest.changes))
-    rows = efficiency() + pressureSolvers()
+    rows = efficiency() + pressureSolvers() + floatingBody()
     finish(start(REFERENCE, ["-np", str(PROCESSES), "-mesh", "single"], QUARTER_STEPS))
 
     reference, ours = Dive(REFERENCE), Dive(CONTESTS[0].ours)
