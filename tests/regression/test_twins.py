@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The same run in two ways: one process and two, uninterrupted and restarted."""
+import shutil
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from conftest import REPOSITORY
 from test_stockSolvers import difference
-from tutorials import cellVolumes, compare, converge, copy, setEntry, setUp, solve
+from tutorials import cellVolumes, checkRefused, compare, converge, copy, foam, setEntry, setUp, solve
 
 
 @pytest.mark.parametrize("tutorial, coarser, endTime, tolerance", [
@@ -56,3 +58,44 @@ def test_restart(tutorial: str, coarser: int, deltaT: float, tolerance: float, t
         last = [compare.readLog(run / "log.solver")[-1].centre for run in (halves, whole)]
         travel = np.linalg.norm(last[1] - compare.readLog(whole / "log.solver")[0].centre)
         assert np.linalg.norm(last[0] - last[1]) < 0.03*travel
+
+
+@pytest.mark.parametrize("mesh, ranks", [("overset", 1), ("overset", 2), ("single", 1)])
+def test_interruptedDive(mesh: str, ranks: int, tmp_path: Path) -> None:
+    """Stopped and started again, and killed while it wrote, a dive is bit for bit the one that went through."""
+    allrun = (REPOSITORY / "cases/gannetPlunge/Allrun", "-mesh", mesh, "-np", ranks, "-resolution", 0.5,
+              "-set", "dive.travel=0.1", "-set", "output.frames=7", "-run")
+    foam(*allrun, tmp_path / "whole", case=tmp_path)
+    whole = tmp_path / "whole"
+    parts = [f"processor{i}" for i in range(ranks)] if ranks > 1 else ["."]
+    written = compare.times(whole / parts[0])
+
+    run = copy(whole, "interrupted")
+    for name in ("postProcessing", "results"):
+        shutil.rmtree(run / name)
+    for log in ("plungeFoam", "reconstructPar", "plungePost"):
+        (run / f"log.{log}").unlink(missing_ok=True)
+    for time in written:
+        for part in {".", *parts}:
+            shutil.rmtree(run / part / time)
+
+    control = run / "system/controlDict"
+    original = control.read_text()
+    for last in (written[1], written[3]):
+        control.write_text(f"{original}\nendTime {last};\n")
+        foam(*(("mpirun", "-np", ranks, "plungeFoam", "-parallel") if ranks > 1 else ("plungeFoam",)), case=run)
+    control.write_text(original)
+
+    half = run / parts[-1] / written[3]
+    shutil.rmtree(half / "polyMesh")
+    (half / "uniform/unfinished").touch()
+    if ranks == 1:
+        checkRefused("plungeFoam", run, (f"Time {written[3]} is not complete", "Remove"))
+    foam(*allrun, run, case=tmp_path)
+
+    assert (run / "results/trajectory.csv").read_bytes() == (whole / "results/trajectory.csv").read_bytes()
+    assert compare.times(run / parts[0]) == written
+    for part in parts:
+        for name in ("U", "p_rgh", "alpha.liquid", "phi", "Uf", "polyMesh/points", "uniform/time", "uniform/sixDoFRigidBodyMotionState"):
+            file = Path(part, written[-1], name)
+            assert (run / file).read_bytes() == (whole / file).read_bytes(), file

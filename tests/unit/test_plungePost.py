@@ -49,6 +49,14 @@ def test_a_later_start_overrides_the_overlap(tmp_path):
     assert table["speed_m_s"].tolist() == [1, 1, 2, 2]
 
 
+def test_the_first_line_of_a_restart_does_not_replace_that_of_the_run_before(tmp_path):
+    write_part(tmp_path, "0", [0.001, 0.002, 0.003], 1)
+    write_part(tmp_path, "0.002", [0.002, 0.003], 2)
+    table = gather(tmp_path)["trajectory"]
+    assert table["time_s"].tolist() == [0.001, 0.002, 0.003]
+    assert table["speed_m_s"].tolist() == [1, 1, 2]
+
+
 def test_start_times_are_ordered_as_numbers(tmp_path):
     write_part(tmp_path, "10", [11.0], 3)
     write_part(tmp_path, "9", [10.0], 2)

@@ -205,7 +205,7 @@ def draw(dives: Dict[str, Dive], cost: Dict[str, float]) -> None:
     axes[1].set(ylim=(-20, 50))
     axes[0].legend(fontsize="small")
     axes[0].set_title(f"Thin: as computed; thick: means over {1e3*WINDOW:g} ms", fontsize="medium")
-    axes[2].barh(list(cost), list(cost.values()), color=[f"C{i}" for i in range(len(cost))])
+    axes[2].barh(list(cost), list(cost.values()), color=[f"C{i + 1}" for i in range(len(cost))])
     axes[2].invert_yaxis()
     axes[2].set_yticks([])
     for i, (name, value) in enumerate(cost.items()):

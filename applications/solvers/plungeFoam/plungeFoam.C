@@ -14,6 +14,7 @@ Description
 #include "freeSurfaceFlow.H"
 #include "profileTable.H"
 #include "profiling.H"
+#include "unfinishedTime.H"
 
 #include <malloc.h>
 
@@ -34,6 +35,8 @@ int main(int argc, char *argv[])
     #include "addCheckCaseOptions.H"
     #include "setRootCaseLists.H"
     #include "createTime.H"
+    unfinishedTime::refuse(runTime);
+    freeSurfaceFlow::restoreTime(runTime);
     #include "createDynamicFvMesh.H"
 
     freeSurfaceFlow flow(mesh);
@@ -69,6 +72,7 @@ int main(int argc, char *argv[])
 
         {
             addProfiling(output, "output");
+            const unfinishedTime mark(runTime);
             runTime.write();
         }
         runTime.printExecutionTime(Info);

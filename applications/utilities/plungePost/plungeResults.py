@@ -69,7 +69,8 @@ def write_table(path: Path, table: Table) -> None:
 def merge_restarts(parts: list[tuple[float, Table, Path]]) -> Table:
     """One table from the parts (start time in s, table, file) of a restarted run.
 
-    A later start overrides what an earlier part holds after that time.
+    A later start overrides what an earlier part holds after that time. Its own line
+    for that time, which has no acceleration yet, counts only if no other part has one.
     """
     merged: Table = {}
     for start, table, path in sorted(parts, key=lambda part: part[0]):
@@ -82,8 +83,8 @@ def merge_restarts(parts: list[tuple[float, Table, Path]]) -> Table:
             continue
         # directory names are rounded to timePrecision, hence the tolerance
         keep = merged["time_s"] <= start * (1 + 1e-6)
-        keep &= merged["time_s"] < table["time_s"][0]
-        merged = {name: np.concatenate((merged[name][keep], table[name])) for name in merged}
+        later = table["time_s"] > np.max(merged["time_s"][keep], initial=-np.inf) + 1e-6 * abs(start)
+        merged = {name: np.concatenate((merged[name][keep], table[name][later])) for name in merged}
     return merged
 
 

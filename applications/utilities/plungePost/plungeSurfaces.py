@@ -402,6 +402,7 @@ class Case:
             together.AddInputData(part)
         together.Update()
         mesh = together.GetOutput()
+        mesh.GetPointData().Initialize()  # has motionScale where OpenFOAM was started again
         if self.overset and time == self.times[0] and not mesh.GetCellData().HasArray("cellTypes"):
             # The initial fields precede the first overset assembly: nothing is a hole yet.
             dsa.WrapDataObject(mesh).CellData.append(np.zeros(mesh.GetNumberOfCells()), "cellTypes")

@@ -82,56 +82,83 @@ Foam::tmp<Foam::scalarField> Foam::freeSurfaceFlow::nearInterface() const
 }
 
 
-void Foam::freeSurfaceFlow::roundTime(Time& time)
+void Foam::freeSurfaceFlow::alignTimeStep(Time& time)
 {
-    const auto rounded = [](const scalar x, const int bits)
-    {
-        int exponent;
-        const scalar mantissa = std::frexp(x, &exponent);
-        return
-            std::ldexp
-            (
-                std::round(std::ldexp(mantissa, bits)),
-                exponent - bits
-            );
-    };
-    // Of written times, beyond the digits of their names
-    const int ofTimes = 44;
-    // Of steps, such that their sums are exact
-    const int ofSteps = 24;
-
-    if (time.timeIndex() == time.startTimeIndex())
-    {
-        time.setTime(rounded(time.value(), ofTimes), time.timeIndex());
-    }
-
     const dictionary& control = time.controlDict();
     const word writes(control.getOrDefault<word>("writeControl", word::null));
-    const scalar next = time.deltaTValue();
-    if (writes == "adjustable" || writes == "adjustableRunTime")
+    if (writes != "adjustable" && writes != "adjustableRunTime")
     {
-        const scalar interval = control.get<scalar>("writeInterval");
-        const scalar n =
-            (time.value() + next - time.startTime().value())/interval;
-        if (mag(n - std::round(n))*interval < 1e-6*next)
-        {
-            time.setDeltaT
-            (
-                rounded(time.value() + next, ofTimes) - time.value(),
-                false
-            );
-            return;
-        }
+        return;
     }
-    time.setDeltaT(rounded(next, ofSteps), false);
+
+    const scalar interval = control.get<scalar>("writeInterval");
+    const scalar start = time.startTime().value();
+    const scalar deltaT = time.deltaTValue();
+    const scalar nearby = 1e-3*deltaT;
+    if (mag(start - interval*std::round(start/interval)) > nearby)
+    {
+        return;
+    }
+
+    const scalar next =
+        interval*(std::floor((time.value() + 0.5*deltaT)/interval) + 1);
+    const scalar left = next - time.value();
+    const scalar aligned = left/max(scalar(1), std::round(left/deltaT));
+    if (mag(aligned - deltaT) < nearby)
+    {
+        time.setDeltaT(aligned, false);
+    }
+}
+
+
+void Foam::freeSurfaceFlow::renewInterface()
+{
+    if (interface_ && mesh_.dynamic() && time_.writeTime())
+    {
+        // First free the names of its fields
+        interface_.clear();
+        interface_.reset
+        (
+            new interfaceProperties(mixture_.alpha1(), U_, mixture_)
+        );
+    }
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+void Foam::freeSurfaceFlow::restoreTime(Time& time)
+{
+    const IOdictionary saved
+    (
+        IOobject
+        (
+            "time",
+            time.timeName(),
+            "uniform",
+            time,
+            IOobject::READ_IF_PRESENT,
+            IOobject::NO_WRITE,
+            false
+        )
+    );
+    scalar value;
+    if
+    (
+        saved.readIfPresent("value", value)
+     && Time::timeName(value) == time.timeName()
+    )
+    {
+        time.setTime(time.userTimeToTime(value), time.timeIndex());
+    }
+}
+
+
 void Foam::freeSurfaceFlow::chooseTimeStep(Time& time)
 {
     addProfiling(timeStep, "time step");
+
+    renewInterface();
 
     const dictionary& control = time.controlDict();
 
@@ -174,10 +201,7 @@ void Foam::freeSurfaceFlow::chooseTimeStep(Time& time)
         );
     const scalar factor = min(min(allowed, 1 + 0.1*allowed), scalar(1.2));
     time.setDeltaT(min(factor*deltaT, maxDeltaT));
-    if (composite_)
-    {
-        roundTime(time);
-    }
+    alignTimeStep(time);
 
     Info<< "deltaT = " << time.deltaTValue() << endl;
     checkTimeStep();

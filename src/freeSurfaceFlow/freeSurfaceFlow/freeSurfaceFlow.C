@@ -160,7 +160,7 @@ Foam::freeSurfaceFlow::freeSurfaceFlow(dynamicFvMesh& mesh)
             interfaceScheme::fields
             {
                 mixture_,
-                interface_.get(),
+                interface_,
                 phi_,
                 U_,
                 rhoPhi_,
@@ -202,10 +202,13 @@ Foam::freeSurfaceFlow::freeSurfaceFlow(dynamicFvMesh& mesh)
 
     if (composite_)
     {
+        // The viscosities follow the mesh by themselves: of a constant,
+        // interpolation would leave all but the last digits
         composite_->doNotInterpolate
         ({
             "HbyA", "grad(p_rgh)", "nHat", "surfaceIntegrate(phi)",
-            "surfaceIntegrate(phiHbyA)", "pcorr", "cellDisplacement"
+            "surfaceIntegrate(phiHbyA)", "pcorr", "cellDisplacement",
+            "nu", "nu1", "nu2"
         });
     }
 
