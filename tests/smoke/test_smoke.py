@@ -133,3 +133,19 @@ def test_isoAdvector(tmp_path: Path) -> None:
     expected = np.sum(initial*compare.readCells(case / compare.times(case)[0] / "V"))
     assert max(abs(volume/expected - 1) for volume in volumes) < 1e-6
     assert max(smeared) < 0.15
+
+
+def test_profile(tmp_path: Path) -> None:
+    """The table of `profiling { active true; }`: stages by their time, whose sum is that of the run."""
+    case = setUp("damBreak", tmp_path / "damBreak", "-coarser", 2, "-application", "plungeFoam", "-endTime", 0.02)
+    setEntry(case, "system/controlDict", "profiling", "{ active true; }")
+    log = solve(case, "plungeFoam")
+    table = log[log.index("Profile over"):]
+    assert table.startswith(f"Profile over {len(steps(log))} time steps")
+    rows = re.findall(r"^ *\d+ +(\S+) +\d+ +\S+ +\S+   (.+)$", table, re.MULTILINE)
+    time = {name: float(value) for value, name in rows}
+    total = time.pop("total")
+    assert {"pressure", "interface", "momentum"} <= set(time) and "overset stencil" not in time
+    assert sum(time.values()) == pytest.approx(total, rel=0.01)
+    listed = list(time.values())[:-1]    # then all others
+    assert listed == sorted(listed, reverse=True)
