@@ -14,16 +14,26 @@ from particleRuns import override  # noqa: E402
 from plungeResults import TRAJECTORY_COLUMNS, read_numbers, read_table, running_mean  # noqa: E402
 
 CASE = ROOT / "cases/gannetPlunge"
+# OpenFOAM's fastest on these meshes, tier fast: voxels of two cells in the background and half a cell in the body's mesh
+STOCK_STENCIL = ("method trackingInverseDistance; searchBox (-0.61 0 -1.43) (0.65 0.35 1.33); "
+                 "searchBoxDivisions ((25 7 56) (100 28 221));")
 WINDOW = 1e-3   # [s], of running means: the body moves by a quarter of its diameter
 FIRST = 1e-4    # [s], of the start
 
 
+def setUp(run: Path, options: Sequence[str], changes: Dict[str, str] = {}) -> bool:
+    """Makes the directory of a dive, in which files of the case take other entries, unless it is there. Was it made?"""
+    if run.exists():
+        return False
+    subprocess.run(["plungeCase", "-case", str(CASE), "-run", str(run), *options], check=True, stdout=subprocess.DEVNULL)
+    for file, text in changes.items():
+        override(run, file, text)
+    return True
+
+
 def start(run: Path, options: Sequence[str], changes: Dict[str, str] = {}) -> "subprocess.Popen[bytes]":
-    """Begins a dive, or goes on with it; files of the case take other entries. Its steps are in <run>.log."""
-    if not run.exists():
-        subprocess.run(["plungeCase", "-case", str(CASE), "-run", str(run), *options], check=True, stdout=subprocess.DEVNULL)
-        for file, text in changes.items():
-            override(run, file, text)
+    """Begins a dive, or goes on with it. Its steps are in <run>.log."""
+    setUp(run, options, changes)
     with run.with_suffix(".log").open("w") as log:
         return subprocess.Popen([str(CASE / "Allrun"), "-run", str(run), *options], stdout=log, stderr=subprocess.STDOUT)
 

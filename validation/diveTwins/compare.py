@@ -23,14 +23,13 @@ from typing import List, Tuple
 import numpy as np
 
 FOLDER = Path(__file__).resolve().parent
-ROOT = FOLDER.parents[1]
-sys.path[:0] = [str(FOLDER.parent), str(ROOT / "applications/utilities/plungePost")]
+sys.path.insert(0, str(FOLDER.parent))
+from dives import CASE, setUp  # noqa: E402
 from foamFields import readCells, times  # noqa: E402
 from particleRuns import CONTROL, call, converge, override  # noqa: E402
 from plungeResults import gather  # noqa: E402
 from resultTable import Row, limit, show, write  # noqa: E402
 
-CASE = ROOT / "cases/gannetPlunge"
 SOLVER = "plungeFoam"
 DURATION, FRAMES = 4e-3, 4          # [s]; of 25 m/s and a body of 1 m
 OPTIONS = ("-set", f"dive.travel={25*DURATION:g}", "-set", f"output.frames={FRAMES}")
@@ -42,13 +41,10 @@ KILLS, SEED = 5, 1
 def dive(name: str, ranks: int = 1, converged: bool = False) -> Path:
     """Runs the case in run/<name>, from where it was stopped."""
     run = FOLDER / "run" / name
-    options = ["-run", str(run), "-np", str(ranks), *OPTIONS]
-    if not run.exists():
-        subprocess.run(["plungeCase", "-case", str(CASE), *options], check=True, stdout=subprocess.DEVNULL)
-        override(run, CONTROL, "writeFormat ascii; writePrecision 17; timePrecision 12;")
-        if converged:
-            converge(run)
-    subprocess.run([str(CASE / "Allrun"), *options], check=True)
+    options = ["-np", str(ranks), *OPTIONS]
+    if setUp(run, options, {CONTROL: "writeFormat ascii; writePrecision 17; timePrecision 12;"}) and converged:
+        converge(run)
+    subprocess.run([str(CASE / "Allrun"), "-run", str(run), *options], check=True)
     return run
 
 

@@ -8,7 +8,6 @@ there is the buoyancy. What differs is noise of the overset mesh. It is given ov
 plungeFoam's stencil and for that of OpenFOAM that is the fastest.
 """
 import math
-import subprocess
 import sys
 from pathlib import Path
 from typing import List
@@ -16,18 +15,15 @@ from typing import List
 import numpy as np
 
 FOLDER = Path(__file__).resolve().parent
-ROOT = FOLDER.parents[1]
-sys.path[:0] = [str(FOLDER.parent), str(ROOT / "applications/utilities/plungePost"), str(ROOT / "applications/utilities/plungeCase")]
+sys.path.insert(0, str(FOLDER.parent))
+from dives import STOCK_STENCIL, setUp  # noqa: E402
 from foamDictionary import read  # noqa: E402
 from particleRuns import CONTROL, call, isComplete, override, setEntry  # noqa: E402
 from plungeResults import gather  # noqa: E402
 from resultTable import Row, limit, show, write  # noqa: E402
 
-CASE = ROOT / "cases/gannetPlunge"
 STEPS, STEP = 60, 1e-4  # [-], [s]
-# Voxels of two cells in the background and half a cell in the body's mesh
-VOXELS = "searchBox (-0.61 0 -1.43) (0.65 0.35 1.33); searchBoxDivisions ( (25 7 56) (100 28 221) );"
-STENCILS = {"rigidZones": "method rigidZones;", "trackingInverseDistance": f"method trackingInverseDistance; {VOXELS}"}
+STENCILS = {"rigidZones": "method rigidZones;", "trackingInverseDistance": STOCK_STENCIL}
 SCENES = {"uniform flow": "(0 0 0)", "uniform flow under gravity": "(0 0 -1.35)"}
 
 
@@ -40,9 +36,7 @@ def field(run: Path, name: str, internal: object, others: str, **patches: str) -
 
 def solve(name: str, stencil: str, gravity: str) -> Path:
     run = FOLDER / "run" / name
-    if not run.exists():
-        subprocess.run(["plungeCase", "-case", str(CASE), "-run", str(run), "-np", "1"], check=True, stdout=subprocess.DEVNULL,
-                       stderr=subprocess.DEVNULL)
+    if setUp(run, ("-np", "1")):
         for program in ("plungeBodyMesh", "gmshToFoam -keepOrientation body.msh", "createPatch -overwrite", "blockMesh -case background",
                         "snappyHexMesh -case background -overwrite", "mergeMeshes . background -overwrite"):
             call(run, *program.split())

@@ -29,19 +29,18 @@ import numpy as np
 
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent))
-from dives import ROOT, WINDOW, Difference, Dive, finish, start  # noqa: E402
+from dives import ROOT, STOCK_STENCIL, WINDOW, Difference, Dive, finish, start  # noqa: E402
 from particleRuns import CONTROL, call, isComplete, override  # noqa: E402
 from plungeResults import CaseError, cell_count, cpu_seconds, solver_log  # noqa: E402
 from resultTable import Row, least, limit, show, write  # noqa: E402
+from solverLogs import Step, perStep, readLog  # noqa: E402
 
 FIGURE = ROOT / "docs/figures/speed.png"
 RUNS = HERE / "run"
 REFERENCE = RUNS / "reference"
 STOCK = {
     CONTROL: "application overInterDyMFoam; libs (overset fvMotionSolvers rigidBody plungeFunctionObjects);",
-    # Voxels of two cells in the background and half a cell in the body's mesh
-    "system/fvSchemes": "oversetInterpolation { method trackingInverseDistance; searchBox (-0.61 0 -1.43) (0.65 0.35 1.33); "
-                        "searchBoxDivisions ((25 7 56) (100 28 221)); }",
+    "system/fvSchemes": f"oversetInterpolation {{ {STOCK_STENCIL} }}",
 }
 FLOATING_END = 0.5  # [s]
 FLOATING = {
@@ -101,10 +100,9 @@ def accuracy(name: str, dive: Dive, reference: Dive) -> List[Row]:
     return rows + [Row(f"{name}: largest error of the liquid's volume over the body's", dive.ledger(), "%")]
 
 
-def perStep(run: Path) -> float:
-    """CPU time of a step [s]: of one process, which in parallel never sleeps."""
-    times = [float(t) for t in re.findall(r"^ExecutionTime = (\S+) s", solver_log(run), re.M)]
-    return (times[-1] - times[FIRST_STEPS - 1])/(len(times) - FIRST_STEPS)
+def stepTime(run: Path) -> float:
+    """CPU time of a step of a dive [s]: of one process, which in parallel never sleeps."""
+    return perStep(readLog(run / "log.plungeFoam"), FIRST_STEPS)
 
 
 def fixedSteps(tier: str, processes: int, changes: Dict[str, str] = {}) -> "Tuple[List[str], Dict[str, str]]":
@@ -121,7 +119,7 @@ def efficiency() -> List[Row]:
         for count in found:
             run = RUNS / f"processes-{count}-{turn}"
             finish(start(run, *fixedSteps("fast", count)))
-            found[count].append(perStep(run))
+            found[count].append(stepTime(run))
     serial, parallel = (min(times) for times in found.values())
     return [least(f"{PROCESSES} processes: efficiency against one", serial/(PROCESSES*parallel), "1", 0.85)]
 
@@ -141,15 +139,13 @@ def pressureSolvers() -> List[Row]:
         cells = cell_count(runs["DILU"])
         rows += [Row(f"pressure, {cells} cells, {name}: iterations", iterations(run), "1") for name, run in runs.items()]
         rows.append(Row(f"pressure, {cells} cells: time of a step with GAMG over that with DILU",
-                        perStep(runs["GAMG"])/perStep(runs["DILU"]), "1"))
+                        stepTime(runs["GAMG"])/stepTime(runs["DILU"]), "1"))
     return rows
 
 
-def height(run: Path, solver: str) -> Tuple[np.ndarray, np.ndarray]:
+def heights(steps: List[Step]) -> Tuple[np.ndarray, np.ndarray]:
     """Times [s] and heights of the body [m] at the ends of the steps."""
-    found = re.findall(r"^Time = (\S+)$.*?Centre of rotation: \(\S+ \S+ (\S+)\)", (run / f"log.{solver}").read_text(), re.M | re.S)
-    time, z = np.array(found, dtype=float).T
-    return time, z
+    return np.array([step.time for step in steps]), np.array([step.centre[2] for step in steps])
 
 
 def floatingBody() -> List[Row]:
@@ -166,8 +162,9 @@ def floatingBody() -> List[Row]:
             shutil.copytree(folder / "ready/background", run)
             for file, text in FLOATING["plungeFoam" if name == "reference" else name].items():
                 override(run, file, text)
-    override(runs["reference"], CONTROL, "maxCo 0.375; maxAlphaCo 0.5;")
-    override(runs["reference"], "system/fvSolution", "PIMPLE { momentumPredictor no; nCorrectors 3; }")
+            if name == "reference":
+                override(run, CONTROL, "maxCo 0.375; maxAlphaCo 0.5;")
+                override(run, "system/fvSolution", "PIMPLE { momentumPredictor no; nCorrectors 3; }")
 
     def solve(name: str) -> None:
         solver = "plungeFoam" if name == "reference" else name
@@ -178,15 +175,16 @@ def floatingBody() -> List[Row]:
         list(pool.map(solve, FLOATING))
     solve("reference")
 
-    time, z = height(runs["reference"], "plungeFoam")
-    cpu = {name: float(re.findall(r"ExecutionTime = (\S+) s", (runs[name] / f"log.{name}").read_text())[-1]) for name in FLOATING}
+    time, z = heights(readLog(runs["reference"] / "log.plungeFoam"))
+    logs = {name: readLog(runs[name] / f"log.{name}") for name in FLOATING}
+    cpu = {name: steps[-1].cpu for name, steps in logs.items()}
     ratio = cpu["plungeFoam"]/cpu["overInterDyMFoam"]
     rows = [limit("floatingBody: CPU time of plungeFoam over that of overInterDyMFoam", ratio, "1", 0.5)]
-    for name in FLOATING:
-        ours = height(runs[name], name)
-        error = np.abs(np.interp(ours[0], time, z) - ours[1]).max()
+    for name, steps in logs.items():
+        at, ours = heights(steps)
+        error = np.abs(np.interp(at, time, z) - ours).max()
         rows.append(Row(f"floatingBody: {name}, height of the body, largest error over its way", 100*float(error/np.ptp(z)), "%"))
-        rows.append(Row(f"floatingBody: {name}, time steps", str(len(ours[0])), "1", cpu_s=f"{cpu[name]:.0f}"))
+        rows.append(Row(f"floatingBody: {name}, time steps", str(len(steps)), "1", cpu_s=f"{cpu[name]:.0f}"))
     return rows
 
 

@@ -9,13 +9,14 @@ import argparse
 import re
 import sys
 from pathlib import Path
-from typing import Dict, List, NamedTuple, Optional, Sequence, Tuple
+from typing import Dict, List, NamedTuple, Sequence, Tuple
 
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from foamFields import ComparisonError, readCells, times  # noqa: E402
 from resultTable import Row, show, write  # noqa: E402
+from solverLogs import perStep, readLog  # noqa: E402
 
 PHASE = "alpha.water"
 HOLE = 2                # in the field cellTypes of an overset mesh
@@ -58,35 +59,6 @@ def forceDifference(run: Path, reference: Path) -> float:
     return float(np.sqrt(np.sum(weight*difference**2)/np.sum(weight*force**2)))
 
 
-class Step(NamedTuple):
-    """What a solver prints in one time step."""
-    time: float                             # [s]
-    centre: Optional[np.ndarray]            # centre of rotation of the body [m]
-    orientation: Optional[np.ndarray]       # row by row
-    cpu: float                              # since the start of the run [s]
-
-
-def readLog(path: Path) -> List[Step]:
-    """The completed time steps of a log; of several motion reports in a step, the last one counts."""
-    steps: List[Step] = []
-    time: Optional[float] = None
-    centre = orientation = None
-    vector = r"\s*\(([^)]*)\)"
-    for line in path.read_text().splitlines():
-        if match := re.match(r"Time = (\S+)", line):
-            time, centre, orientation = float(match.group(1)), None, None
-        elif match := re.match(r"\s*Centre of rotation:" + vector, line):
-            centre = np.array(match.group(1).split(), dtype=float)
-        elif match := re.match(r"\s*Orientation:" + vector, line):
-            orientation = np.array(match.group(1).split(), dtype=float)
-        elif (match := re.match(r"ExecutionTime = (\S+) s", line)) and time is not None:
-            steps.append(Step(time, centre, orientation, float(match.group(1))))
-            time = None
-    if not steps:
-        raise ComparisonError(f"{path}: expected the output of a solver with at least one complete time step")
-    return steps
-
-
 class Motion(NamedTuple):
     """Difference of two motions, and how far the reference moved."""
     position: float     # largest distance between the centres [m]
@@ -118,11 +90,7 @@ def motionDifference(run: Path, reference: Path) -> Motion:
 
 def cpuPerStep(runs: Sequence[Path]) -> float:
     """CPU time per step [s], without the first steps; of several runs the fastest, the one that was disturbed least."""
-    def mean(steps: List[Step]) -> float:
-        if len(steps) <= FIRST_STEPS:
-            raise ComparisonError(f"{len(steps)} time steps: expected more than {FIRST_STEPS}")
-        return (steps[-1].cpu - steps[FIRST_STEPS - 1].cpu)/(len(steps) - FIRST_STEPS)
-    return min(mean(readLog(run / "log.solver")) for run in runs)
+    return min(perStep(readLog(run / "log.solver"), FIRST_STEPS) for run in runs)
 
 
 def rows(name: str, runs: Sequence[Path], references: Sequence[Path]) -> List[Row]:
