@@ -15,6 +15,7 @@ CASE = ROOT / "cases/gannetPlunge"
 sys.path.insert(0, str(TOOLS))
 
 import bodyMesh  # noqa: E402
+import boundaryLayer  # noqa: E402
 import bodySurface  # noqa: E402
 import diveParameters  # noqa: E402
 import foamDictionary  # noqa: E402
@@ -170,6 +171,13 @@ def test_surface_lies_where_the_dive_starts(case: Path) -> None:
     (["-np", "0"], "entry 'cores' is 0; expected a whole number, at least 1"),
     (["-resolution", "fine"], "entry 'resolution' is fine; expected a number from 0.5 to 16"),
     (["-solver", "interFoam"], "entry 'solver' is interFoam; expected one of: plungeFoam plungeSPH"),
+    (["-boundaryLayer", "turbulent"],
+     "entry 'boundaryLayer' is turbulent; expected one of: auto laminar wallFunction frictionLine none"),
+    (["-boundaryLayer", "laminar"], "entry 'boundaryLayer' is laminar, but the mesh's first layer is 0.00288 m and a laminar layer "
+                                    "at Re = 1.64e+07 needs 8.74e-05 m; expected frictionLine, or a finer mesh"),
+    (["-solver", "plungeSPH", "-boundaryLayer", "frictionLine"],
+     "entry 'boundaryLayer' is frictionLine; expected auto or none: plungeSPH has no boundary layer"),
+    (["-set", "transitionReynolds=-1"], "entry 'transitionReynolds' is -1; expected a number, 0 or above"),
     (["-set", "particles.c0=0"], "entry 'particles.c0' is 0; expected a number above 0"),
     (["-set", "body.mass=-1"], "entry 'body.mass' is -1; expected a number above 0"),
     (["-set", "dive.angel=60"], "unknown entry 'dive.angel'"),
@@ -239,8 +247,10 @@ def test_both_solvers_dive_from_the_same_scene(case: Path) -> None:
     assert plungeCase(case, "-fluids", "water").returncode == 0
     mesh, liquid = foamDictionary.read(case / "run/water-fast/system/plungeGenerated"), particles(case, "-fluids", "water")
     of_meshes = set(mesh) - set(liquid)
-    assert {"noseSpacing", "xCells", "courantLimit"} <= of_meshes and "particleSpacing" in set(liquid) - set(mesh)
-    assert {key for key in set(mesh) & set(liquid) if mesh[key] != liquid[key]} == {"application", "estimatedSteps"}
+    assert {"noseSpacing", "xCells", "courantLimit", "transitionReynolds"} <= of_meshes
+    assert {"particleSpacing", "addedMassEstimate"} <= set(liquid) - set(mesh)
+    assert {key for key in set(mesh) & set(liquid) if mesh[key] != liquid[key]} == \
+        {"application", "estimatedSteps", "boundaryLayer", "decisions"}
     run = case / "run/water-fast-plungeSPH"
     files = {str(path.relative_to(run)) for path in run.rglob("*") if path.is_file()}
     assert files == {"constant/g", "constant/bodyMotion", "constant/particleProperties", "plunge.sbatch",
@@ -261,6 +271,9 @@ def test_both_solvers_move_the_same_body(case: Path, model: str) -> None:
         assert plungeCase(case, "-solver", solver, "-model", model, "-run", f"run/{solver}").returncode == 0
     motion = expanded(case / "run/plungeFoam", "constant/dynamicMeshDict", "sixDoFRigidBodyMotionCoeffs")
     body = expanded(case / "run/plungeSPH", "constant/particleProperties", "bodies/body")
+    # plungeFoam computes the added mass
+    assert motion.pop("solver") == {"type": "addedMass"}
+    assert set(body.pop("solver")) == {"type", "addedMass", "addedInertia"}
     # Apart from what says which mesh moves
     assert body == {key: value for key, value in motion.items()
                     if key not in ("patches", "innerDistance", "outerDistance", "rho", "report")}
@@ -295,6 +308,161 @@ def test_speed_of_sound_is_ten_times_that_of_free_fall_unless_given(case: Path) 
     height = 1.125 * np.sin(np.radians(75))
     assert g["particleSoundSpeed"] == pytest.approx(10 * np.sqrt(20**2 + 2 * 9.81 * height))
     assert particles(case, "-run", "run/b", "-set", "particles.c0=11.6")["particleSoundSpeed"] == 11.6
+
+
+def test_particles_take_steps_of_half_the_smoothing_length_over_the_speed_of_sound(case: Path) -> None:
+    g = particles(case)
+    step = 0.5 * 1.5 * g["particleSpacing"] / (g["particleSoundSpeed"] + 25)
+    assert g["estimatedSteps"] == pytest.approx(g["diveDuration"] / step, abs=5.1)
+
+
+# --- what is modelled --------------------------------------------------------
+
+
+def generated(**overrides: object) -> dict:
+    """The entries of plungeGenerated; __ stands for a point."""
+    dive = diveParameters.read(CASE, {name.replace("__", "."): value for name, value in overrides.items()})
+    return {key: value for _, entries in diveParameters.derive(dive) for key, value in entries.items()}
+
+
+# The liquid's viscosity over its density is 1.5e-6 m2/s: Re is 6.5e5 times the speed
+SLOW = {"dive__speed": 0.01}    # the tier fast resolves its laminar layer
+MEDIUM = {"dive__speed": 0.5}   # and this one's not
+
+
+@pytest.mark.parametrize("overrides, layer, reason", [
+    ({}, "frictionLine", "Re = 1.64e+07, above transition at 5e+05"),
+    ({"transitionReynolds": 2e7}, "frictionLine", "Re = 1.64e+07, not above transition at 2e+07, but the mesh's first layer is 0.00288 m "
+                                                  "and a laminar layer needs 8.74e-05 m"),
+    (MEDIUM, "frictionLine", "Re = 3.27e+05, not above transition at 5e+05, but the mesh's first layer"),
+    (SLOW, "laminar", "Re = 6.55e+03, not above transition at 5e+05, and the mesh resolves the layer"),
+    ({**SLOW, "transitionReynolds": 0}, "frictionLine", "Re = 6.55e+03, above transition at 0"),
+    ({**SLOW, "resolution": 0.5}, "frictionLine", "but the mesh's first layer"),
+    ({**SLOW, "boundaryLayer": "laminar"}, "laminar", "as asked; Re = 6.55e+03"),
+    ({"boundaryLayer": "none"}, "none", "as asked; Re = 1.64e+07"),
+    ({"boundaryLayer": "frictionLine"}, "frictionLine", "as asked"),
+    ({"boundaryLayer": "wallFunction"}, "wallFunction", "as asked"),
+    ({"solver": "plungeSPH"}, "none", "plungeSPH has none"),
+    ({"solver": "plungeSPH", "boundaryLayer": "none"}, "none", "plungeSPH has none"),
+])
+def test_boundary_layer_follows_from_reynolds_number_and_mesh(overrides: dict, layer: str, reason: str) -> None:
+    found = generated(**overrides)
+    assert found["boundaryLayer"] == layer
+    assert found["decisions"][0].startswith(f"boundary layer: {layer} (") and reason in found["decisions"][0]
+    assert ("transitionReynolds" in found) == (found["application"] == "plungeFoam")
+
+
+@pytest.mark.parametrize("overrides, tension, reason", [
+    ({}, "off", "We = 1.33e+07"),
+    ({"dive__speed": 6}, "on", "We = 7.69e+05"),
+    ({"dive__speed": 6, "body__length": 2}, "off", "We = 1.54e+06"),
+    ({"dive__speed": 6, "solver": "plungeSPH"}, "off", "plungeSPH has none"),
+])
+def test_surface_tension_follows_from_weber_number(overrides: dict, tension: str, reason: str) -> None:
+    found = generated(**overrides)
+    assert found["surfaceTensionModelled"] == tension
+    assert found["decisions"][1] == f"surface tension: {tension} ({reason})"
+
+
+def test_liquid_without_surface_tension(case: Path) -> None:
+    edit(case / "constant/plungeFluids", "0.0311;", "0;")
+    done = plungeCase(case, "-set", "dive.speed=1")
+    assert "\nsurface tension: off (the liquid has none)\n" in done.stderr
+
+
+def test_decisions_are_printed_and_written(case: Path) -> None:
+    done = plungeCase(case)
+    given = foamDictionary.read(case / "run/titan-fast/system/plungeGenerated")
+    assert done.stderr.splitlines()[-2:] == given["decisions"] == [
+        "boundary layer: frictionLine (Re = 1.64e+07, above transition at 5e+05)", "surface tension: off (We = 1.33e+07)"]
+    assert plungeCase(case, "-boundaryLayer", "none").stdout.strip() == str(case / "run/titan-fast-none")
+
+
+def keywords(run: Path, dictionary: str, entry: str = "") -> list:
+    """The names of entries as OpenFOAM reads them."""
+    command = ["foamDictionary", *(["-entry", entry] if entry else []), "-keywords", run / dictionary]
+    return subprocess.run(command, check=True, capture_output=True, text=True).stdout.split()
+
+
+@pytest.mark.parametrize("layer", ["frictionLine", "wallFunction", "none"])
+def test_only_what_the_boundary_layer_needs_is_in_the_case(case: Path, layer: str) -> None:
+    assert plungeCase(case, "-boundaryLayer", layer, "-run", "run/a", "-set", "transitionReynolds=3e5").returncode == 0
+    run = case / "run/a"
+    scene = foamDictionary.parse(subprocess.run(["foamDictionary", "-expand", run / "constant/sceneProperties"], check=True,
+                                                capture_output=True, text=True).stdout, "sceneProperties")
+    assert scene["boundaryLayer"] == layer and scene["surfaceTension"] == "off" and "turbulence" not in scene
+    assert scene.get("frictionLineCoeffs") == \
+        ({"transitionReynolds": 300000, "patches": ["body"]} if layer == "frictionLine" else None)
+
+    turbulent = layer == "wallFunction"
+    assert ("RAS" in keywords(run, "constant/turbulenceProperties")) == turbulent
+    assert ("wallDist" in keywords(run, "system/fvSchemes")) == turbulent
+    assert {"div(phi,k)", "div(phi,omega)"} & set(keywords(run, "system/fvSchemes", "divSchemes")) == \
+        ({"div(phi,k)", "div(phi,omega)"} if turbulent else set())
+    assert ('"(k|omega).*"' in keywords(run, "system/fvSolution", "solvers")) == turbulent
+    assert {"k", "omega", "nut"} & {path.name for path in (run / "0.orig").iterdir()} == \
+        ({"k", "omega", "nut"} if turbulent else set())
+    assert ("freeStreamK" in foamDictionary.read(run / "system/plungeGenerated")) == turbulent
+
+
+def firstLayers(given: dict) -> list:
+    """[m] at the nose, the thickest section and the tail, as plungeGenerated has them."""
+    return [offset * np.expm1(stretching / given["layers"]) / np.expm1(stretching)
+            for offset, stretching in zip(given["offset"], given["stretching"])]
+
+
+@pytest.mark.parametrize("mesh", ["overset", "single"])
+@pytest.mark.parametrize("fluids", ["titan", "water"])
+def test_first_cells_of_wall_functions_are_in_the_logarithmic_layer(fluids: str, mesh: str) -> None:
+    plain, found = (generated(fluids=fluids, mesh=mesh, boundaryLayer=layer) for layer in ("none", "wallFunction"))
+    nu = found["liquidKinematicViscosity"]
+
+    def drag(x: float) -> float:
+        """Of a plate of length x, over rho U^2/2."""
+        return x * 0.455 / np.log10(25 * x / nu) ** 2.58
+
+    friction = (drag(0.5001) - drag(0.4999)) / 0.0002
+    for first in firstLayers(found):
+        assert 25 * np.sqrt(friction / 2) * first / 2 / nu == pytest.approx(60, rel=1e-4)
+    assert found["offset"] == plain["offset"] and found["outerLayers"] == plain["outerLayers"]
+
+    def lastLayers(given: dict) -> list:
+        return [first * np.exp(s * (1 - 1 / given["layers"])) for first, s in zip(firstLayers(given), given["stretching"])]
+
+    # One layer fewer, and the outermost would be thicker
+    assert 0.95 * max(lastLayers(plain)) < max(lastLayers(found)) <= max(lastLayers(plain))
+
+
+def test_mesh_that_is_fine_enough_for_wall_functions_stays() -> None:
+    plain, found = (generated(boundaryLayer=layer, **MEDIUM) for layer in ("none", "wallFunction"))
+    assert [found[name] for name in ("layers", "stretching")] == [plain[name] for name in ("layers", "stretching")]
+    # Or stays where it is
+    size = diveParameters.mesh_size(Body(1.0, 0.1), diveParameters.read(CASE, {}).tier, 1)
+    own = bodyMesh.first_layers(size)
+    thinner = bodyMesh.with_first_layer(size, 1.1 * min(own))
+    assert bodyMesh.first_layers(thinner) == pytest.approx([min(1.1 * min(own), first) for first in own])
+    assert thinner.layers >= size.layers
+
+
+def test_mesh_of_wall_functions_fills_the_same_space() -> None:
+    body, plain = fast_mesh()
+    size = diveParameters.mesh_size(body, diveParameters.read(CASE, {}).tier, 1)
+    mesh = bodyMesh.build(body, bodyMesh.with_first_layer(size, 2e-4), full=False)
+    volumes = hexahedron_volumes(mesh)
+    assert (volumes < 0).all() or (volumes > 0).all()
+    assert abs(volumes).sum() == pytest.approx(abs(hexahedron_volumes(plain)).sum(), rel=1e-3)
+    wall = lambda mesh: mesh.nodes[np.unique(mesh.wall)]
+    assert wall(mesh) == pytest.approx(wall(plain))
+
+
+def test_free_stream_is_quiet_and_goes_with_speed_and_length() -> None:
+    found = generated(boundaryLayer="wallFunction")
+    assert (found["freeStreamK"], found["freeStreamOmega"]) == pytest.approx((1e-4, 10), rel=0.05)
+    k, omega = boundaryLayer.free_stream(50, 4)
+    assert (k / found["freeStreamK"], omega / found["freeStreamOmega"]) == pytest.approx((4, 0.5))
+
+
+# --- run directories ---------------------------------------------------------
 
 
 def test_run_directory_is_kept_for_the_same_dive_and_refused_for_another(case: Path) -> None:

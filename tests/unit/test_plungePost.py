@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""plungePost: tables over restarts, key numbers, free surface of a composite mesh, pictures."""
+"""plungePost: tables over restarts, key numbers and their uncertainty, the scene's notes, free surface of a composite mesh, pictures."""
 
+import csv
 import json
 import os
 import subprocess
@@ -16,17 +17,21 @@ sys.path.insert(0, str(TOOLS))
 from plungeResults import (  # noqa: E402
     TRAJECTORY_COLUMNS,
     CaseError,
+    Scene,
     cell_count,
     crossing,
     gather,
     key_numbers,
     patch_types,
+    read_notes,
     read_numbers,
+    read_scene,
     read_table,
     running_mean,
     write_numbers,
     write_table,
 )
+from plungeUncertainty import COLUMNS, HEADLINES, Uncertainty, read_uncertainties, two_digits  # noqa: E402
 
 
 # --- tables over restarts ------------------------------------------------------
@@ -171,6 +176,126 @@ def test_force_along_the_path_is_positive_when_it_slows():
 
     table = {"vx_m_s": [3.0], "vy_m_s": [0.0], "vz_m_s": [-4.0], "Fpx_N": [0.0], "Fpy_N": [9.0], "Fpz_N": [10.0]}
     assert along_path({k: np.array(v) for k, v in table.items()}, "p") == pytest.approx([8.0])
+
+
+# --- what is modelled, and what is not -------------------------------------------
+
+SCENE = """
+Scene
+    models      : body sixDoF, mesh motion overset, {models}
+    reference   : length 1 m, speed 25 m/s (from constant/sceneProperties)
+    Re          : 1.637e+07 in liquid, 5.9e+07 in gas
+    Note: {note}.
+    Note: Ma = 0.02, in "gas", but compressibility is off.
+
+PIMPLE: no residual control data found. Calculations will employ 2 corrector loops
+    Note: no part of the scene.
+"""
+
+
+def write_log(case: Path, text: str, solver: str = "plungeFoam") -> None:
+    (case / "system").mkdir(parents=True, exist_ok=True)
+    (case / "system/controlDict").write_text(
+        f"FoamFile {{ version 2.0; format ascii; class dictionary; object controlDict; }}\napplication {solver};\n")
+    (case / f"log.{solver}").write_text(text)
+
+
+def test_the_scene_is_that_of_the_latest_start(tmp_path):
+    write_log(tmp_path, "Create time\n" + SCENE.format(models="surface tension on", note="an old remark")
+              + SCENE.format(models="surface tension off", note="the cavity is not modelled"))
+    scene = read_scene(tmp_path)
+    assert scene.models == "body sixDoF, mesh motion overset, surface tension off"
+    assert scene.notes == ("the cavity is not modelled.", 'Ma = 0.02, in "gas", but compressibility is off.')
+
+
+def test_a_log_without_scene_and_no_log_have_no_notes(tmp_path):
+    write_log(tmp_path, "Start: 1 of the fluid, 1 of walls\n", "plungeSPH")
+    assert read_scene(tmp_path) == Scene()
+    (tmp_path / "log.plungeSPH").unlink()
+    assert read_scene(tmp_path) == Scene()
+
+
+def test_the_summary_holds_notes_beside_numbers(tmp_path):
+    path, notes = tmp_path / "summary.csv", ['Ma = 0.02, in "gas".', "none; of it."]
+    write_numbers(path, {"contact time": (0.5, "s")}, "body sixDoF, gravity on", notes)
+    assert path.read_text().splitlines()[2:4] == ['models,"body sixDoF, gravity on",', 'note,"Ma = 0.02, in ""gas"".",']
+    assert read_numbers(path) == {"contact time": (0.5, "s")}
+    assert read_notes(path) == notes
+
+
+# --- uncertainty -----------------------------------------------------------------
+
+DIVE = {"fluids": "titan", "tier": "fast", "model": "half", "mesh": "overset", "resolution": "1", "boundaryLayer": "frictionLine",
+        "transitionReynolds": "500000", "bodyLength": "1", "thicknessRatio": "0.1", "bodyMass": "2.85714285714", "speed": "25",
+        "pathAngle": "75"}
+MEASURED = {"peak deceleration": ("50.05", "m/s2", "0.3", "0.4", "1.2", "1.3"),
+            "velocity lost at full immersion": ("1.78", "m/s", "0.03", "0.01", "0.04", "0.051"),
+            "full immersion time": ("0.036", "s", "3e-6", "4e-6", "0", "5e-6")}  # not the pitch: as where the study failed to measure it
+
+
+def write_dive_parameters(case: Path, **changes: str) -> None:
+    (case / "system").mkdir(parents=True, exist_ok=True)
+    text = "".join(f"{name:<23} {value};\n" for name, value in {**DIVE, **changes}.items())
+    (case / "system/plungeGenerated").write_text("FoamFile\n{\n    version     2.0;\n    format      ascii;\n    class       dictionary;\n"
+                                                 "    object      plungeGenerated;\n}\n// The dive\n" + text)
+
+
+def write_uncertainties(case: Path, *fluids: str) -> Path:
+    path = case / "constant/uncertainty.csv"
+    path.parent.mkdir(exist_ok=True)
+    with path.open("w", newline="") as file:
+        out = csv.writer(file)
+        out.writerow(COLUMNS)
+        for name in fluids:
+            out.writerows([*{**DIVE, "fluids": name}.values(), quantity, *numbers, "abc123", "2026-11-30"]
+                          for quantity, numbers in MEASURED.items())
+    return path
+
+
+def test_the_uncertainty_of_the_same_dive_is_found(tmp_path):
+    write_dive_parameters(tmp_path, resolution="1.0")
+    write_uncertainties(tmp_path, "water", "titan")
+    found, sentence = read_uncertainties(tmp_path)
+    assert set(found) == set(HEADLINES[:3])
+    assert found["peak deceleration"].total == 1.3
+    assert found["peak deceleration"].parts == {"mesh": 0.3, "time step": 0.4, "boundary layer": 1.2}
+    assert "validation/diveUncertainty" in sentence and "version abc123 of 2026-11-30" in sentence
+
+
+def test_no_uncertainty_is_taken_from_another_dive(tmp_path):
+    write_uncertainties(tmp_path, "water", "titan")
+    only = ("Uncertainty: measured for fluids water or titan, tier fast, model half, mesh overset, resolution 1, "
+            "boundaryLayer frictionLine only, not for ")
+    for change, ends in (({"tier": "fine"}, "tier fine."), ({"speed": "10", "bodyMass": "3"}, "bodyMass 3, speed 10."),
+                         ({"fluids": "kraken"}, "fluids kraken; validation/diveUncertainty/Allrun -fluids kraken "
+                                                "measures it for tier fast.")):
+        write_dive_parameters(tmp_path, **change)
+        assert read_uncertainties(tmp_path) == ({}, only + ends)
+
+
+def test_without_a_table_it_is_not_measured(tmp_path):
+    assert read_uncertainties(tmp_path) == ({}, "Uncertainty: not measured.")
+    write_dive_parameters(tmp_path)
+    assert read_uncertainties(tmp_path)[1] == ("Uncertainty: not measured; validation/diveUncertainty/Allrun -fluids titan "
+                                               "measures it for tier fast.")
+
+
+def test_a_damaged_table_is_named(tmp_path):
+    write_dive_parameters(tmp_path)
+    path = write_uncertainties(tmp_path, "titan")
+    path.write_text(path.read_text().replace("1.2,1.3", "1.2,much"))
+    with pytest.raises(CaseError, match="uncertainty.csv, peak deceleration: expected a number"):
+        read_uncertainties(tmp_path)
+    path.write_text("fluids,tier\n")
+    with pytest.raises(CaseError, match="uncertainty.csv: no column model, mesh"):
+        read_uncertainties(tmp_path)
+
+
+def test_a_number_has_as_many_decimals_as_its_uncertainty():
+    parts = {"mesh": 0.1, "time step": 0.05, "boundary layer": 0.2}
+    assert Uncertainty(0.2291, parts).text(25.0143, "m/s") == "25.01 m/s +- 0.23 (mesh 0.10, time step 0.050, boundary layer 0.20)"
+    assert Uncertainty(5e-6, {"mesh": 0.0}).text(0.036, "ms", 1e3) == "36.0000 ms +- 0.0050 (mesh 0)"
+    assert [two_digits(u) for u in (0.0996, 1.25, 12.4, 1234.0, 0.0)] == [("0.10", 2), ("1.2", 1), ("12", 0), ("1234", 0), ("0", 3)]
 
 
 # --- the case's mesh -------------------------------------------------------------
@@ -469,3 +594,59 @@ def test_a_dive_of_particles_is_reported_without_a_mesh(tmp_path):
     (case / "VTK/body.vtp.series").unlink()
     done = subprocess.run([TOOLS / "plungePost", case], capture_output=True, text=True)
     assert done.returncode != 0 and "body.vtp.series: not found; plungePost writes it for meshes, plungeSPH" in done.stderr
+
+
+def test_the_report_ends_with_the_answer_how_sure_it_is_and_what_was_left_out(tmp_path):
+    case = particle_dive(tmp_path)
+    note = "the wake's cavity is filled with gas that cannot be compressed, which costs the closure of the cavity " + "and more " * 9
+    with (case / "log.plungeSPH").open("a") as log:
+        log.write(SCENE.format(models="surface tension off, turbulence off, initial flow potential, fringe conserved, both fluids "
+                               "incompressible", note=note.strip()))
+    write_dive_parameters(case)
+    write_uncertainties(case, "titan")
+    done = subprocess.run([TOOLS / "plungePost", case], capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    lines = done.stdout.splitlines()
+    assert lines[1] == "Files:"
+    last = lines[-20:]
+    assert last[next(i for i, line in enumerate(last) if line == "Modelled:"):] == [
+        "Modelled:",
+        "  body sixDoF, mesh motion overset, surface tension off, turbulence off, initial flow potential,",
+        "    fringe conserved, both fluids incompressible.",
+        f"{case.name}, fluids titan, half model, tier fast, 1,234 particles of liquid:",
+        "  peak deceleration                50.0 m/s2 +- 1.3 (mesh 0.30, time step 0.40, boundary layer 1.2), 5.104 g, at 50.00 ms",
+        "  full immersion                   36.0000 ms +- 0.0050 (mesh 0.0030, time step 0.0040, boundary layer 0)",
+        "  velocity lost at full immersion  1.750 m/s +- 0.051 (mesh 0.030, time step 0.010, boundary layer 0.040) of 25 m/s",
+        "  pitch change at full immersion   3.6 deg",
+        "  +-: root of the sum of the squares of its parts; validation/diveUncertainty, version abc123 of",
+        "    2026-11-30.",
+        "Not modelled, and what that costs:",
+        "  the wake's cavity is filled with gas that cannot be compressed, which costs the closure of the",
+        "    cavity and more and more and more and more and more and more and more and more and more.",
+        '  Ma = 0.02, in "gas", but compressibility is off.',
+    ]
+    numbers = read_numbers(case / "results/summary.csv")
+    assert list(numbers)[list(numbers).index("peak deceleration") + 1] == "peak deceleration: uncertainty"
+    assert numbers["full immersion time: uncertainty"] == (5e-6, "s")
+    assert "pitch change at full immersion: uncertainty" not in numbers
+    assert read_notes(case / "results/summary.csv") == [f"{note.strip()}.", 'Ma = 0.02, in "gas", but compressibility is off.']
+
+
+def test_notes_on_the_figure_are_below_its_panels():
+    from plungeFigures import plt, trajectory_figure
+
+    table = constant_deceleration()
+    tail = {"time_s": table["time_s"], "high_m": 1 - table["penetration_m"]}
+    numbers = key_numbers(table, None, tail)
+    sure = {name: Uncertainty(0.02 * abs(numbers[name][0]), {"mesh": 0.0}) for name in HEADLINES}
+    for count in (1, 12):
+        figure = trajectory_figure("A dive", table, None, numbers, sure, ["a note of some length " * 9] * count)
+        figure.canvas.draw()
+        pixels = figure.canvas.get_renderer()
+        block, = (text for text in figure.texts if "a note" in text.get_text())
+        box = block.get_window_extent(pixels)
+        assert box.y0 >= 0 and box.x1 <= figure.bbox.x1
+        panels = [ax.get_tightbbox(pixels) for ax in figure.axes if ax.get_visible() and ax.axison]
+        assert min(panel.y0 for panel in panels) >= box.y1
+        assert sum("\\pm" in text.get_text() for ax in figure.axes for text in ax.texts) == len(HEADLINES)
+        plt.close(figure)

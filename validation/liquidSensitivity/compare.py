@@ -5,8 +5,8 @@
 Nothing is judged. How far the changes for 5 % more and less density are from being opposite says how linear the dive is
 in the density, and bounds the noise of the runs.
 
-A fast dive does not resolve the boundary layer, and has no turbulence model: beside its viscous deceleration at full
-immersion stand those of a flat plate of the body's wetted area and length at the speed of entry, laminar (Blasius,
+A fast dive does not resolve the boundary layer, and takes its friction from a line: beside its viscous deceleration at
+full immersion stand those of a flat plate of the body's wetted area and length at the speed of entry, laminar (Blasius,
 1.328/sqrt(Re)) and turbulent (ITTC 1957, 0.075/(log10 Re - 2)^2).
 """
 import argparse

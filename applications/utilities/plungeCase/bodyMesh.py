@@ -9,7 +9,8 @@ ringCells that leads to the circle, which has 8*capCells cells (the half model h
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from math import ceil, log
 
 import numpy as np
 from scipy.interpolate import PchipInterpolator
@@ -70,9 +71,32 @@ def _share(stretching: np.ndarray | float, t: np.ndarray | float) -> np.ndarray 
     return np.expm1(stretching * t) / np.expm1(stretching)
 
 
+def _last_layer(size: MeshSize, offset: float, stretching: float) -> float:
+    """Thickness of the layer at the outer surface [m]."""
+    return offset * (1 - _share(stretching, 1 - 1 / size.layers))
+
+
+def first_layers(size: MeshSize) -> tuple[float, ...]:
+    """Thickness of the layer at the wall [m] at nose, thickest section, tail."""
+    return tuple(float(offset * _share(stretching, 1 / size.layers)) for offset, stretching in zip(size.offset, size.stretching))
+
+
+def with_first_layer(size: MeshSize, most: float) -> MeshSize:
+    """The mesh with a layer at the wall of at most `most` [m]: more layers and more stretching, to the same outer surface.
+    There they are no thicker than the thickest one was."""
+    if most >= max(first_layers(size)):
+        return size
+    first = [min(most, own) for own in first_layers(size)]
+    last = max(_last_layer(size, *at) for at in zip(size.offset, size.stretching))
+    # Geometric series from the first to the last that add up to the offset
+    layers = ceil(max(1 + log(last / a) / log((d - a) / (d - last)) for d, a in zip(size.offset, first)) - 1e-6)
+    stretching = tuple(brentq(lambda s: d * _share(s, 1 / layers) - a, 1e-3, 50) for d, a in zip(size.offset, first))
+    return replace(size, layers=layers, stretching=stretching)
+
+
 def _outer_stretching(size: MeshSize, offset: float, stretching: float) -> float:
     """ln(outermost layer/first layer) of the outer layers, the first of which is as thick as the last one within."""
-    last = offset * (1 - _share(stretching, 1 - 1 / size.layers))
+    last = _last_layer(size, offset, stretching)
     return brentq(lambda b: (size.reach - offset) * _share(b, 1 / size.outer_layers) - last, 1e-3, 50)
 
 

@@ -11,9 +11,10 @@ from typing import Any, Callable
 
 import numpy as np
 
+import boundaryLayer
 import foamDictionary
 from bodyGeometry import Body
-from bodyMesh import MeshSize, axial_cell_count
+from bodyMesh import MeshSize, axial_cell_count, first_layers, with_first_layer
 
 
 class ParameterError(Exception):
@@ -50,6 +51,8 @@ _PARAMETERS: dict[str, Check] = {
     "mesh": _word("overset", "single"),
     "resolution": _number("a number from 0.5 to 16", lambda v: 0.5 <= v <= 16),
     "cores": _count(1),
+    "boundaryLayer": _word("auto", *boundaryLayer.TREATMENTS),
+    "transitionReynolds": _number("a number, 0 or above", lambda v: v >= 0),
     "body.length": _POSITIVE,
     "body.thicknessRatio": _number("a number from 0.05 to 0.5", lambda v: 0.05 <= v <= 0.5),
     "body.density": _POSITIVE,
@@ -111,6 +114,11 @@ _TIER: dict[str, Check] = {
 _REACH, _ABSORBING, _FREEBOARD = 0.35, 0.1, 0.1
 # c0 over the highest speed that the body could fall at, unless given: eq. 5 of IAC-20-E2.1.9
 _SOUND_OVER_SPEED = 10
+# Its steps, for the estimate: plungeSPH's Courant number, over h/(c0 + speed), and h over the spacing
+_PARTICLE_COURANT, _SMOOTHING_LENGTH = 0.5, 1.5
+
+# Weber number above which surface tension acts on less than a millionth of the length, which no mesh resolves
+_HIGHEST_WEBER = 1e6
 
 
 def _flat(entries: dict[str, Any], prefix: str = "") -> dict[str, Any]:
@@ -190,6 +198,12 @@ class Dive:
     given: dict[str, Any]   # plungeParameters with the command line's values, flat
     fluids: dict[str, Any]
     tier: dict[str, Any]
+    source: str             # of `given`, for messages
+
+    @property
+    def reynolds(self) -> float:
+        """Of the liquid, the body's length and the initial speed."""
+        return self.fluids["liquidDensity"] * self.given["dive.speed"] * self.given["body.length"] / self.fluids["liquidViscosity"]
 
     @property
     def name(self) -> str:
@@ -198,8 +212,9 @@ class Dive:
         resolution = self.given["resolution"]
         finer = f"-r{resolution:g}" if resolution != 1 else ""
         single = "-single" if self.given["mesh"] == "single" else ""
+        layer = f"-{self.given['boundaryLayer']}" if self.given["boundaryLayer"] != "auto" else ""
         other = f"-{self.given['solver']}" if self.given["solver"] != SOLVERS[0] else ""
-        return f"{self.given['fluids']}-{self.given['tier']}{full}{finer}{single}{other}"
+        return f"{self.given['fluids']}-{self.given['tier']}{full}{finer}{single}{layer}{other}"
 
 
 def read(case: Path, overrides: dict[str, Any]) -> Dive:
@@ -216,6 +231,7 @@ def read(case: Path, overrides: dict[str, Any]) -> Dive:
         given,
         resolved_fluids(*_choice(case / "constant" / "plungeFluids", given["fluids"], "fluids", source)),
         _checked(*_choice(case / "system" / "plungeTiers", given["tier"], "tier", source), _TIER),
+        source,
     )
 
 
@@ -271,8 +287,55 @@ def _vector(values: Any) -> list[float]:
     return [float(x) + 0.0 for x in values]  # no -0
 
 
-def mesh_sections(dive: Dive, path: StraightPath) -> list[tuple[str, dict[str, Any]]]:
-    """What the meshes of plungeFoam and its time steps need."""
+def decided_boundary_layer(dive: Dive, body: Body) -> tuple[str, str]:
+    """What is made of the boundary layer, and why."""
+    asked, transition, reynolds = dive.given["boundaryLayer"], dive.given["transitionReynolds"], dive.reynolds
+    if dive.given["solver"] == "plungeSPH":
+        if asked not in ("auto", "none"):
+            raise ParameterError(f"{dive.source}: entry 'boundaryLayer' is {asked}; expected auto or none: plungeSPH has no boundary layer")
+        return "none", "plungeSPH has none"
+
+    first = first_layers(mesh_size(body, dive.tier, dive.given["resolution"]))[1]
+    needed = boundaryLayer.resolving_layer(reynolds, body.length)
+    if asked == "laminar" and first > needed:
+        raise ParameterError(
+            f"{dive.source}: entry 'boundaryLayer' is laminar, but the mesh's first layer is {first:.3g} m and a laminar layer at "
+            f"Re = {reynolds:.3g} needs {needed:.3g} m; expected frictionLine, or a finer mesh")
+    if asked != "auto":
+        return asked, f"as asked; Re = {reynolds:.3g}"
+    if reynolds > transition:
+        return "frictionLine", f"Re = {reynolds:.3g}, above transition at {transition:.3g}"
+    below = f"Re = {reynolds:.3g}, not above transition at {transition:.3g}"
+    if first > needed:
+        return "frictionLine", f"{below}, but the mesh's first layer is {first:.3g} m and a laminar layer needs {needed:.3g} m"
+    return "laminar", f"{below}, and the mesh resolves the layer"
+
+
+def decided_surface_tension(dive: Dive) -> tuple[str, str]:
+    """Whether surface tension acts, on or off, and why."""
+    if dive.given["solver"] == "plungeSPH":
+        return "off", "plungeSPH has none"
+    fluids, sigma = dive.fluids, dive.fluids["surfaceTension"]
+    if sigma == 0:
+        return "off", "the liquid has none"
+    weber = fluids["liquidDensity"] * dive.given["dive.speed"] ** 2 * dive.given["body.length"] / sigma
+    return ("off" if weber > _HIGHEST_WEBER else "on"), f"We = {weber:.3g}"
+
+
+def modelled(dive: Dive, body: Body) -> dict[str, Any]:
+    """What follows from the dive of what its flow holds, with the reasons."""
+    layer, layer_reason = decided_boundary_layer(dive, body)
+    tension, tension_reason = decided_surface_tension(dive)
+    return {
+        "boundaryLayer": layer,
+        **({"transitionReynolds": float(dive.given["transitionReynolds"])} if dive.given["solver"] == "plungeFoam" else {}),
+        "surfaceTensionModelled": tension,
+        "decisions": [f"boundary layer: {layer} ({layer_reason})", f"surface tension: {tension} ({tension_reason})"],
+    }
+
+
+def mesh_sections(dive: Dive, path: StraightPath, layer: str) -> list[tuple[str, dict[str, Any]]]:
+    """What the meshes of plungeFoam and its time steps need; `layer`: what is made of the boundary layer."""
     p, tier, body = dive.given, dive.tier, path.body
     length, full, resolution = body.length, p["model"] == "full", p["resolution"]
     size = mesh_size(body, tier, resolution)
@@ -310,8 +373,15 @@ def mesh_sections(dive: Dive, path: StraightPath) -> list[tuple[str, dict[str, A
     single = p["mesh"] == "single"
     if single:
         size, background = single_mesh_size(size, length), 0
+    turbulence = []
+    if layer == "wallFunction":
+        size = with_first_layer(size, boundaryLayer.wall_function_layer(dive.reynolds, length))
+        k, omega = boundaryLayer.free_stream(path.speed, length)
+        turbulence = [("Turbulence of the undisturbed fluids, too weak to act on the flow: intensity 0.033 %, "
+                       "eddy viscosity 4e-7 speed length", {"freeStreamK": k, "freeStreamOmega": omega})]
     all_cells = background + quads * (size.layers + size.outer_layers) * (2 if full else 1)
-    time_step = min(0.5 * tier["maxCo"] * size.nose_spacing / path.speed, tier["maxDeltaT"] / resolution)
+    # By the flow about the nose: what dives of the fast tier take on average
+    time_step = min(0.45 * tier["maxCo"] * size.nose_spacing / path.speed, tier["maxDeltaT"] / resolution)
 
     return [
         ("Body mesh", {
@@ -330,6 +400,7 @@ def mesh_sections(dive: Dive, path: StraightPath) -> list[tuple[str, dict[str, A
             "finestSpacing": finest,
             "refinementShells": shells,
         })]),
+        *turbulence,
         ("Run", {
             "cores": p["cores"], "estimatedCells": round(all_cells, -3),
             "estimatedSteps": round(path.duration / time_step, -1), "coresSplit": cores_split(p["cores"]),
@@ -355,7 +426,16 @@ def particle_sections(dive: Dive, path: StraightPath) -> list[tuple[str, dict[st
     fastest = sqrt(path.speed**2 + 2 * dive.fluids["gravity"] * (path.nose[2] - path.end[2]))
     c0 = float(p.get("particles.c0", _SOUND_OVER_SPEED * fastest))
 
+    axial, transverse, rotary = path.body.added_mass_coefficients()
+    displaced = (1.0 if full else 0.5) * dive.fluids["liquidDensity"]
+    mass, inertia = displaced * path.body.volume, displaced * path.body.unit_inertia()[1]
+
     return [
+        # plungeFoam computes it from the flow
+        ("What the liquid adds to the immersed body: an estimate for the coupling, which does not change its result", {
+            "addedMassEstimate": [axial * mass, transverse * mass, transverse * mass],
+            "addedInertiaEstimate": [0.0, rotary * inertia, rotary * inertia],
+        }),
         ("Particles", {
             "particleSpacing": spacing,
             "liquidMin": _vector(np.multiply(low, spacing)), "liquidMax": _vector(np.multiply(high, spacing)),
@@ -367,8 +447,7 @@ def particle_sections(dive: Dive, path: StraightPath) -> list[tuple[str, dict[st
         }),
         ("Run", {
             "cores": p["cores"], "fluidParticles": count,
-            # Steps of 0.4 h/(c0 + speed), h 1.5 spacings
-            "estimatedSteps": round(path.duration * (c0 + path.speed) / (0.6 * spacing), -1),
+            "estimatedSteps": round(path.duration * (c0 + path.speed) / (_PARTICLE_COURANT * _SMOOTHING_LENGTH * spacing), -1),
             "diveDuration": path.duration, "frameInterval": path.duration / p["output.frames"],
         }),
     ]
@@ -390,11 +469,8 @@ def derive(dive: Dive) -> list[tuple[str, dict[str, Any]]]:
     roll, pitch = (mass / body.volume * i for i in body.unit_inertia())
     inertia = p.get("body.momentOfInertia", [roll, pitch, pitch])
     share = 1.0 if full else 0.5
-
-    # What the liquid adds once the body is immersed: an estimate for the coupling, which does not change its result.
-    axial, transverse, rotary = body.added_mass_coefficients()
-    displaced = share * fluids["liquidDensity"] * body.volume
-    displaced_inertia = share * fluids["liquidDensity"] * body.unit_inertia()[1]
+    model = modelled(dive, body)
+    sections = mesh_sections(dive, path, model["boundaryLayer"]) if p["solver"] == "plungeFoam" else particle_sections(dive, path)
 
     return [
         ("The dive", {
@@ -409,6 +485,7 @@ def derive(dive: Dive) -> list[tuple[str, dict[str, Any]]]:
             "gasKinematicViscosity": fluids["gasViscosity"] / fluids["gasDensity"],
             "gravityVector": [0, 0, -fluids["gravity"]],
         }),
+        ("What is modelled, and why", model),
         ("The whole body, at t = 0", {
             "bodyVolume": body.volume, "bodyMass": mass, "bodyMomentOfInertia": _vector(inertia),
             "noseRadius": body.nose_radius, "centreOfMassFromNose": float(centre),
@@ -421,8 +498,6 @@ def derive(dive: Dive) -> list[tuple[str, dict[str, Any]]]:
             "modelledMass": share * mass,
             "modelledMomentOfInertia": _vector(share * np.asarray(inertia)),
             "modelledVolume": share * body.volume,
-            "addedMassEstimate": [axial * displaced, transverse * displaced, transverse * displaced],
-            "addedInertiaEstimate": [0.0, rotary * displaced_inertia, rotary * displaced_inertia],
         }),
-        *{"plungeFoam": mesh_sections, "plungeSPH": particle_sections}[p["solver"]](dive, path),
+        *sections,
     ]

@@ -104,12 +104,13 @@ def parse(text: str, source: str) -> dict[str, Any]:
 
 
 def format_value(value: Any) -> str:
-    """Write a number, a word or a list the way OpenFOAM reads it back without loss."""
+    """Write a number, a word, a text or a list the way OpenFOAM reads it back without loss."""
     if isinstance(value, (list, tuple)):
         return "(" + " ".join(format_value(v) for v in value) + ")"
     if isinstance(value, float):
         return f"{value:.12g}"
-    return str(value)
+    text = str(value)
+    return f'"{text}"' if re.search(r"[\s{}();]", text) else text
 
 
 def write(path: Path, note: str, sections: list[tuple[str, dict[str, Any]]]) -> None:

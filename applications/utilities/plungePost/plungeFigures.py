@@ -6,7 +6,9 @@ Curves are drawn as computed; a running mean, where one is asked for, is drawn o
 
 from __future__ import annotations
 
+import textwrap
 from pathlib import Path
+from typing import Sequence
 
 import matplotlib
 
@@ -18,6 +20,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from plungeResults import G0, Quantities, Table, running_mean
+from plungeUncertainty import Uncertainty, two_digits
 
 plt.rcParams.update({
     "font.size": 9, "axes.titlesize": 9.5, "axes.grid": True, "grid.alpha": 0.35, "grid.linewidth": 0.5,
@@ -26,6 +29,7 @@ plt.rcParams.update({
 })
 
 A4 = (8.27, 11.69)  # inches
+NOTES = {"size": 6.5, "columns": 170, "line": 0.0095}  # font size, width in characters, height of a line over the page's
 
 
 def limits_from_contact(axes: Axes, curves: list[tuple[np.ndarray, np.ndarray, float]]) -> None:
@@ -77,10 +81,33 @@ def along_path(table: Table, part: str) -> np.ndarray:
     return -(force * velocity).sum(axis=0) / np.maximum(np.linalg.norm(velocity, axis=0), 1e-12)
 
 
-def trajectory_figure(title: str, table: Table, ledger: Table | None, numbers: Quantities) -> Figure:
-    """One A4 page on one dive."""
+def show_uncertainty(axes: Axes, when: float, value: float, label: str, along: str, bar: float, beside: tuple[int, int]) -> None:
+    """Error bar on a curve at a time in s, and the number that it belongs to on that side of it: right or left, above or below.
+
+    bar: half its length, along y, or along x in ms.
+    """
+    axes.errorbar(1e3 * when, value, **{f"{along}err": bar}, color="0.15", linewidth=1, capsize=3, marker="o", markersize=2.5,
+                  zorder=5)
+    right, up = beside
+    axes.annotate(label, (1e3 * when, value), textcoords="offset points", xytext=(8 * right, 5 * up), fontsize=7, color="0.15",
+                  ha="left" if right > 0 else "right", va={1: "bottom", 0: "center", -1: "top"}[up])
+
+
+def write_notes(figure: Figure, notes: Sequence[str]) -> None:
+    """Sentences along the bottom; the panels end above them."""
+    lines = [line for note in notes for line in textwrap.wrap(note, NOTES["columns"], subsequent_indent="    ")]
+    figure.text(0.015, 0.006, "\n".join(lines), fontsize=NOTES["size"], color="0.25", va="bottom", linespacing=1.25,
+                parse_math=False)
+    bottom = NOTES["line"] * len(lines) + 0.012
+    figure.get_layout_engine().set(rect=(0, bottom, 1, 1 - bottom))
+
+
+def trajectory_figure(title: str, table: Table, ledger: Table | None, numbers: Quantities, uncertainties: dict[str, Uncertainty],
+                      notes: Sequence[str]) -> Figure:
+    """One A4 page on one dive, with error bars where uncertainties are known, and the notes below."""
     figure, axes = plt.subplots(4, 2, figsize=A4, constrained_layout=True)
     figure.suptitle(title, fontsize=11)
+    write_notes(figure, notes)
     (path, depth), (speed, slow), (lateral, pitch), (force, volume) = axes
     time, events = table["time_s"], events_of(numbers)
     ms, contact = 1e3 * time, events["contact"]
@@ -131,6 +158,22 @@ def trajectory_figure(title: str, table: Table, ledger: Table | None, numbers: Q
     else:
         volume.plot(1e3 * ledger["time_s"], ledger["error_percent_of_body_volume"], color="C5")
         panel(volume, "Error of the ledger of liquid volume", "error [% of body volume]", events)
+
+    def sure(name: str, ax: Axes, when: float, column: str, what: str, beside: tuple[int, int], along: str = "y") -> None:
+        if name not in uncertainties or not np.isfinite(when):
+            return
+        value, unit = numbers[name]
+        scale, unit = (1, unit.replace("m/s2", "m/s$^2$")) if along == "y" else (1e3, "ms")
+        bar = scale * uncertainties[name].total
+        total, decimals = two_digits(bar)
+        show_uncertainty(ax, when, float(np.interp(when, time, table[column])),
+                         f"{what}{scale * value:.{decimals}f} $\\pm$ {total} {unit}", along, bar, beside)
+
+    immersed = events["immersed"]
+    sure("peak deceleration", slow, numbers["time of peak deceleration"][0], "deceleration_m_s2", "", (1, 0))
+    sure("velocity lost at full immersion", speed, immersed, "speed_m_s", "lost: ", (-1, -1))
+    sure("pitch change at full immersion", pitch, immersed, "pitch_deg", "change: ", (-1, 1))
+    sure("full immersion time", depth, immersed, "penetration_m", "", (-1, 1), along="x")
     return figure
 
 

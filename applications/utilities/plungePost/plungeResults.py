@@ -6,7 +6,9 @@ from __future__ import annotations
 import csv
 import re
 import subprocess
+from dataclasses import dataclass
 from pathlib import Path
+from typing import Sequence
 
 import numpy as np
 
@@ -169,21 +171,37 @@ def key_numbers(trajectory: Table, ledger: Table | None, extent: Table) -> Quant
     return numbers
 
 
-def write_numbers(path: Path, numbers: Quantities) -> None:
-    """Write quantity,value,unit lines."""
+NOTE = "note"
+MODELS = "models"
+
+
+def write_numbers(path: Path, numbers: Quantities, models: str = "", notes: Sequence[str] = ()) -> None:
+    """Write quantity,value,unit lines; then the models and notes, if any, as models,<text>, and note,<text>,"""
     path.parent.mkdir(parents=True, exist_ok=True)
     with path.open("w", newline="") as file:
         out = csv.writer(file, lineterminator="\n")
         out.writerow(("quantity", "value", "unit"))
         out.writerows((name, f"{value:.6g}", unit) for name, (value, unit) in numbers.items())
+        out.writerows((MODELS, text, "") for text in [models] if text)
+        out.writerows((NOTE, text, "") for text in notes)
 
 
-def read_numbers(path: Path) -> Quantities:
-    """Read what write_numbers wrote."""
+def _summary_rows(path: Path) -> list[dict[str, str]]:
     if not path.is_file():
         raise CaseError(f"{path}: not found; run plungePost on its case first")
     with path.open(newline="") as file:
-        return {row["quantity"]: (float(row["value"]), row["unit"]) for row in csv.DictReader(file)}
+        return list(csv.DictReader(file))
+
+
+def read_numbers(path: Path) -> Quantities:
+    """The numbers that write_numbers wrote."""
+    return {row["quantity"]: (float(row["value"]), row["unit"]) for row in _summary_rows(path)
+            if row["quantity"] not in (MODELS, NOTE)}
+
+
+def read_notes(path: Path) -> list[str]:
+    """The notes that write_numbers wrote."""
+    return [row["value"] for row in _summary_rows(path) if row["quantity"] == NOTE]
 
 
 # --- the case's own description ----------------------------------------------
@@ -242,6 +260,12 @@ def cell_count(case: Path) -> int:
 PARAMETERS = "system/plungeGenerated"  # written by plungeCase
 
 
+def parameters(case: Path) -> dict[str, str]:
+    """Entries of plungeGenerated as they are written; none where plungeCase has not set the case up."""
+    path = case / PARAMETERS
+    return dict(re.findall(r"^(\w+)\s+(.+);$", path.read_text(), re.M)) if path.is_file() else {}
+
+
 def solver_name(case: Path) -> str:
     """The solver that the case is for: plungeSPH has particles, any other a mesh."""
     return entry(case, "system/controlDict", "application")
@@ -253,6 +277,25 @@ def solver_log(case: Path) -> str:
     if not path.is_file():
         raise CaseError(f"{path}: not found; has the case's Allrun run?")
     return path.read_text()
+
+
+@dataclass(frozen=True)
+class Scene:
+    """What the solver models, and its notes on what it leaves out."""
+
+    models: str = ""
+    notes: tuple[str, ...] = ()
+
+
+def read_scene(case: Path) -> Scene:
+    """What the log says under Scene, at the latest start; empty where it says nothing, as that of plungeSPH, or is not kept."""
+    if not (case / f"log.{solver_name(case)}").is_file():
+        return Scene()
+    blocks = re.findall(r"^Scene\n((?:    .*\n)+)", solver_log(case), re.M)
+    if not blocks:
+        return Scene()
+    models = re.search(r"^    models +: (.+)", blocks[-1], re.M)
+    return Scene(models[1].strip() if models else "", tuple(re.findall(r"^    Note: (.*\S)", blocks[-1], re.M)))
 
 
 def particle_counts(case: Path) -> tuple[int, int]:

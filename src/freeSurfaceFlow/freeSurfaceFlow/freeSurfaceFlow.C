@@ -185,7 +185,7 @@ Foam::freeSurfaceFlow::freeSurfaceFlow(dynamicFvMesh& mesh)
     pRefValue_(0),
     MRF_(mesh),
     fvOptions_(fv::options::New(mesh)),
-    turbulence_(incompressible::turbulenceModel::New(U_, phi_, mixture_)),
+    turbulence_(newTurbulence()),
     UEqn_(),
     bodyForces_(),
     cellShapes_(),
@@ -194,6 +194,10 @@ Foam::freeSurfaceFlow::freeSurfaceFlow(dynamicFvMesh& mesh)
     cumulativeContinuityError_(0),
     longestDeltaT_(0)
 {
+    if (scene_.slips())
+    {
+        slipOverWalls();
+    }
     check();
 
     rho_.oldTime();
@@ -202,13 +206,14 @@ Foam::freeSurfaceFlow::freeSurfaceFlow(dynamicFvMesh& mesh)
 
     if (composite_)
     {
-        // The viscosities follow the mesh by themselves: of a constant,
-        // interpolation would leave all but the last digits
+        // The viscosities and the distance from the wall follow the mesh by
+        // themselves: of a constant, interpolation would leave all but the last
+        // digits
         composite_->doNotInterpolate
         ({
             "HbyA", "grad(p_rgh)", "nHat", "surfaceIntegrate(phi)",
             "surfaceIntegrate(phiHbyA)", "pcorr", "cellDisplacement",
-            "nu", "nu1", "nu2"
+            "nu", "nu1", "nu2", "yWall"
         });
     }
 
@@ -267,6 +272,8 @@ void Foam::freeSurfaceFlow::check() const
     {
         composite_->checkHoles();
     }
+
+    checkBoundaryLayer();
 
     if (scene_.potentialStart() && !body_)
     {

@@ -87,14 +87,7 @@ void Foam::freeSurfaceFlow::reportScene(Ostream& os) const
     const scalar Re = nu1 > 0 ? U*L/nu1 : 0;
     os  << "    Re          : " << (nu1 > 0 ? name(Re) : "infinite") << " in " << phase1 << ", "
         << (nu2 > 0 ? name(U*L/nu2) : "infinite") << " in " << phase2 << nl;
-    if (Re > 5e5 && !scene_.turbulence())
-    {
-        remarks.append
-        (
-            "Re = " + name(Re) + " but turbulence is off: the boundary layer"
-            " is turbulent, and friction is that of what the mesh resolves"
-        );
-    }
+    reportBoundaryLayer(os, remarks, Re, U);
 
     if (g > 0)
     {

@@ -35,6 +35,15 @@ const Foam::Enum<Foam::scene::fringeType> Foam::scene::fringeTypeNames
     { fringeType::conserved, "conserved" },
 });
 
+const Foam::Enum<Foam::scene::boundaryLayerType>
+Foam::scene::boundaryLayerTypeNames
+({
+    { boundaryLayerType::laminar, "laminar" },
+    { boundaryLayerType::wallFunction, "wallFunction" },
+    { boundaryLayerType::frictionLine, "frictionLine" },
+    { boundaryLayerType::none, "none" },
+});
+
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -56,7 +65,7 @@ scene::motionType motionOf(const fvMesh& mesh)
 }
 
 
-bool turbulent(const fvMesh& mesh)
+word simulationType(const fvMesh& mesh)
 {
     const word name(turbulenceModel::propertiesName);
     const IOdictionary dict
@@ -71,7 +80,7 @@ bool turbulent(const fvMesh& mesh)
             false
         )
     );
-    return dict.get<word>("simulationType") != "laminar";
+    return dict.get<word>("simulationType");
 }
 
 } // End anonymous namespace
@@ -84,8 +93,8 @@ void Foam::scene::checkKeywords() const
     const wordHashSet known
     ({
         "FoamFile", "body", "meshMotion", "compressibility", "gravity",
-        "surfaceTension", "turbulence", "interface", "initialFlow", "fringe",
-        "ambientPressure", "reference"
+        "surfaceTension", "boundaryLayer", "frictionLineCoeffs", "interface",
+        "initialFlow", "fringe", "ambientPressure", "reference"
     });
 
     for (const entry& e : dict_)
@@ -139,7 +148,16 @@ Foam::scene::scene(const fvMesh& mesh)
     meshMotion_(motionOf(mesh)),
     gravity_(dict_.lookupOrDefault<Switch>("gravity", true)),
     surfaceTension_(dict_.lookupOrDefault<Switch>("surfaceTension", true)),
-    turbulence_(turbulent(mesh)),
+    boundaryLayer_
+    (
+        boundaryLayerTypeNames.lookupOrDefault
+        (
+            "boundaryLayer",
+            dict_,
+            boundaryLayerType::unstated
+        )
+    ),
+    simulationType_(simulationType(mesh)),
     interface_(dict_.lookupOrDefault<word>("interface", "MULES")),
     initialFlow_
     (
@@ -179,13 +197,24 @@ Foam::scene::scene(const fvMesh& mesh)
         motionTypeNames[meshMotion_],
         "dynamicFvMesh in constant/dynamicMeshDict"
     );
-    checkAgrees
+    if
     (
-        "turbulence",
-        bool(dict_.lookupOrDefault<Switch>("turbulence", turbulence_)),
-        turbulence_,
-        "simulationType in constant/turbulenceProperties"
-    );
+        boundaryLayer_ != boundaryLayerType::unstated
+     && turbulence() != (boundaryLayer_ == boundaryLayerType::wallFunction)
+    )
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Entry boundaryLayer is "
+            << boundaryLayerTypeNames[boundaryLayer_]
+            << ", but simulationType in constant/turbulenceProperties is "
+            << simulationType_ << nl
+            << "Expected: simulationType "
+            << (turbulence() ? "laminar" : "RAS or LES")
+            << ", or boundaryLayer "
+            << (turbulence() ? "wallFunction." : "laminar, frictionLine or none.")
+            << exit(FatalIOError);
+    }
+    transitionReynolds();
 
     if (conservesFringe() && meshMotion_ != motionType::overset)
     {
@@ -210,6 +239,31 @@ Foam::scene::scene(const fvMesh& mesh)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::scalar Foam::scene::transitionReynolds() const
+{
+    const dictionary coeffs(dict_.subOrEmptyDict("frictionLineCoeffs"));
+    for (const entry& e : coeffs)
+    {
+        if (e.keyword() != "transitionReynolds" && e.keyword() != "patches")
+        {
+            FatalIOErrorInFunction(dict_.subDict("frictionLineCoeffs"))
+                << "Unknown entry " << e.keyword() << nl
+                << "Expected: transitionReynolds or patches."
+                << exit(FatalIOError);
+        }
+    }
+    const scalar Re = coeffs.lookupOrDefault<scalar>("transitionReynolds", 5e5);
+    if (!(Re >= 0))
+    {
+        FatalIOErrorInFunction(dict_.subDict("frictionLineCoeffs"))
+            << "Entry transitionReynolds is " << Re << nl
+            << "Expected: 0, for a layer that is turbulent throughout, or a"
+            << " positive number." << exit(FatalIOError);
+    }
+    return Re;
+}
+
+
 void Foam::scene::print(Ostream& os) const
 {
     auto onOff = [](const bool b) { return b ? "on" : "off"; };
@@ -219,14 +273,19 @@ void Foam::scene::print(Ostream& os) const
         << ", interface " << interface_
         << ", gravity " << onOff(gravity_)
         << ", surface tension " << onOff(surfaceTension_)
-        << ", turbulence " << onOff(turbulence_)
-        << ", initial flow " << initialFlowTypeNames[initialFlow_]
+        << ", boundary layer "
         << (
-               meshMotion_ == motionType::overset
-             ? ", fringe " + fringeTypeNames[fringe_]
-             : word()
+               boundaryLayer_ == boundaryLayerType::unstated
+             ? "as constant/turbulenceProperties and U have it"
+             : boundaryLayerTypeNames[boundaryLayer_].c_str()
            )
-        << ", both fluids incompressible";
+        << ", turbulence " << simulationType_
+        << ", initial flow " << initialFlowTypeNames[initialFlow_];
+    if (meshMotion_ == motionType::overset)
+    {
+        os  << ", fringe " << fringeTypeNames[fringe_];
+    }
+    os  << ", both fluids incompressible";
 }
 
 // ************************************************************************* //

@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""How sure the headline numbers of a dive are: the table that validation/diveUncertainty measures."""
+
+from __future__ import annotations
+
+import csv
+from dataclasses import dataclass
+from math import floor, isclose, log10
+from pathlib import Path
+
+from plungeResults import CaseError, Quantities, parameters
+
+TABLE = "constant/uncertainty.csv"  # plungeCase copies it from the case into its runs
+STUDY = "validation/diveUncertainty/Allrun"
+HEADLINES = ("peak deceleration", "velocity lost at full immersion", "full immersion time", "pitch change at full immersion")
+CAUSES = {"mesh": "mesh_uncertainty", "time step": "time_uncertainty", "boundary layer": "boundary_layer_uncertainty"}
+
+# Entries of plungeGenerated. An uncertainty holds for dives that have all of them in common; the first ones name a dive.
+NAMED = ("fluids", "tier", "model", "mesh", "resolution", "boundaryLayer")
+CONDITIONS = NAMED + ("transitionReynolds", "bodyLength", "thicknessRatio", "bodyMass", "speed", "pathAngle")
+COLUMNS = CONDITIONS + ("quantity", "value", "unit", *CAUSES.values(), "total_uncertainty", "version", "date")
+
+
+@dataclass(frozen=True)
+class Uncertainty:
+    """Of a number, in its unit: what each of CAUSES gives, and the root of the sum of their squares."""
+
+    total: float
+    parts: dict[str, float]
+
+    def text(self, value: float, unit: str, scale: float = 1) -> str:
+        """The number, how sure it is and why, in a unit that is 1/scale of its own."""
+        total, decimals = two_digits(scale * self.total)
+        causes = ", ".join(f"{cause} {two_digits(scale * part)[0]}" for cause, part in self.parts.items())
+        return f"{scale * value:.{decimals}f} {unit} +- {total} ({causes})"
+
+
+def two_digits(uncertainty: float) -> tuple[str, int]:
+    """An uncertainty in two significant digits, and how many decimals a number has that goes with it."""
+    if not uncertainty > 0:
+        return f"{uncertainty:g}", 3
+    decimals = max(0, 1 - floor(log10(float(f"{uncertainty:.1e}"))))
+    return f"{uncertainty:.{decimals}f}", decimals
+
+
+def conditions(case: Path) -> dict[str, str]:
+    """What the uncertainty of a dive depends on; an entry that its case lacks is empty."""
+    given = parameters(case)
+    return {name: given.get(name, "") for name in CONDITIONS}
+
+
+def read_rows(path: Path) -> list[dict[str, str]]:
+    """The table's rows; none where there is no table."""
+    if not path.is_file():
+        return []
+    with path.open(newline="") as file:
+        table = csv.DictReader(file)
+        missing = [name for name in COLUMNS if name not in (table.fieldnames or ())]
+        if missing:
+            raise CaseError(f"{path}: no column {', '.join(missing)}; expected a table that {STUDY} has written")
+        return list(table)
+
+
+def same(one: str, other: str) -> bool:
+    try:
+        return isclose(float(one), float(other), rel_tol=1e-6)
+    except ValueError:
+        return one == other
+
+
+def read_uncertainties(case: Path) -> tuple[dict[str, Uncertainty], str]:
+    """Those that were measured for this dive, by the number's name, and a sentence on what they hold for."""
+    here, rows = conditions(case), read_rows(case / TABLE)
+    measure = f"; {STUDY} -fluids {here['fluids']} measures it for tier fast" if here["fluids"] else ""
+    if not rows:
+        return {}, f"Uncertainty: not measured{measure}."
+
+    def differing(row: dict[str, str]) -> list[str]:
+        return [name for name in CONDITIONS if not same(here[name], row[name])]
+
+    nearest = min(map(differing, rows), key=len)
+    if nearest:
+        only = ", ".join(f"{name} {' or '.join(dict.fromkeys(row[name] for row in rows))}" for name in NAMED)
+        ours = ", ".join(f"{name} {here[name] or 'unknown'}" for name in nearest)
+        return {}, f"Uncertainty: measured for {only} only, not for {ours}{measure if nearest == ['fluids'] else ''}."
+
+    found: dict[str, Uncertainty] = {}
+    version = ""
+    for row in (row for row in rows if not differing(row)):
+        try:
+            found[row["quantity"]] = Uncertainty(float(row["total_uncertainty"]),
+                                                 {cause: float(row[column]) for cause, column in CAUSES.items()})
+        except ValueError:
+            raise CaseError(f"{case / TABLE}, {row['quantity']}: expected a number as each uncertainty") from None
+        version = f"{row['version']} of {row['date']}"
+    return found, f"+-: root of the sum of the squares of its parts; validation/diveUncertainty, version {version}."
+
+
+def with_uncertainties(numbers: Quantities, uncertainties: dict[str, Uncertainty]) -> Quantities:
+    """The numbers, each followed by its uncertainty where there is one."""
+    found: Quantities = {}
+    for name, (value, unit) in numbers.items():
+        found[name] = (value, unit)
+        if name in uncertainties:
+            found[f"{name}: uncertainty"] = (uncertainties[name].total, unit)
+    return found
