@@ -16,6 +16,7 @@ Table = dict[str, np.ndarray]  # column name (with unit) -> values
 Quantities = dict[str, tuple[float, str]]  # name -> (value, unit)
 
 G0 = 9.80665  # standard gravity, m/s2
+IMPACT = 0.25  # of the body's height at the start: the immersed part until which a peak is the impact's
 
 TRAJECTORY_COLUMNS = (
     "time_s penetration_m speed_m_s deceleration_m_s2 deceleration_g x_m y_m z_m "
@@ -145,6 +146,9 @@ def key_numbers(trajectory: Table, ledger: Table | None, extent: Table) -> Quant
     slow = trajectory["deceleration_m_s2"]
     peak = int(np.argmax(np.where(wet, slow, -np.inf)))
     immersion = crossing(extent["time_s"], extent["high_m"], falling=True)
+    # Later peaks are those of friction and form, which grow with the wetted part
+    height = float(extent["high_m"][0] - extent["low_m"][0])
+    impact = np.max(np.where(wet & (trajectory["penetration_m"] <= IMPACT * height), slow, -np.inf), initial=-np.inf)
 
     def at(name: str, when: float) -> float:
         return float(np.interp(when, time, trajectory[name])) if np.isfinite(when) else float("nan")
@@ -154,6 +158,7 @@ def key_numbers(trajectory: Table, ledger: Table | None, extent: Table) -> Quant
         "full immersion time": (immersion, "s"),
         "end time": (float(time[-1]), "s"),
         "initial speed": (float(speed[0]), "m/s"),
+        "impact deceleration": (float(impact) if np.isfinite(impact) else float("nan"), "m/s2"),
         "peak deceleration": (float(slow[peak]), "m/s2"),
         "peak deceleration in g": (float(slow[peak]) / G0, "g"),
         "time of peak deceleration": (float(time[peak]), "s"),

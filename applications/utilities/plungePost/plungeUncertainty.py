@@ -12,7 +12,8 @@ from plungeResults import CaseError, Quantities, parameters
 
 TABLE = "constant/uncertainty.csv"  # plungeCase copies it from the case into its runs
 STUDY = "validation/diveUncertainty/Allrun"
-HEADLINES = ("peak deceleration", "velocity lost at full immersion", "full immersion time", "pitch change at full immersion")
+HEADLINES = ("impact deceleration", "peak deceleration", "velocity lost at full immersion", "full immersion time",
+             "pitch change at full immersion")
 CAUSES = {"mesh": "mesh_uncertainty", "time step": "time_uncertainty", "boundary layer": "boundary_layer_uncertainty"}
 
 # Entries of plungeGenerated. An uncertainty holds for dives that have all of them in common; the first ones name a dive.

@@ -9,17 +9,18 @@ namespace
 
 using namespace Foam;
 
-//- No boundary layer is this short: the laws begin here
-const scalar leastRe = 1e3;
+// Where the laws begin: no layer is shorter, and the turbulent one has no root
+const scalar leastRe = 1, leastTurbulentRe = 1e3;
 
 scalar laminarLocal(const scalar Re)
 {
-    return 0.664/Foam::sqrt(Re);
+    return 0.664/Foam::sqrt(max(Re, leastRe));
 }
 
 
-scalar turbulentLocal(const scalar Re)
+scalar turbulentLocal(const scalar anyRe)
 {
+    const scalar Re = max(anyRe, leastTurbulentRe);
     return frictionLaw::turbulentMean(Re)*(1 - 2.58/Foam::log(Re));
 }
 
@@ -30,46 +31,42 @@ scalar turbulentLocal(const scalar Re)
 
 Foam::scalar Foam::frictionLaw::laminarMean(const scalar Re)
 {
-    return 1.328/Foam::sqrt(Re);
+    return 1.328/Foam::sqrt(max(Re, leastRe));
 }
 
 
 Foam::scalar Foam::frictionLaw::turbulentMean(const scalar Re)
 {
-    return 0.455/Foam::pow(Foam::log10(Re), 2.58);
+    return 0.455/Foam::pow(Foam::log10(max(Re, leastTurbulentRe)), 2.58);
 }
 
 
 Foam::scalar Foam::frictionLaw::laminarThickness(const scalar Re)
 {
-    return 5/Foam::sqrt(Re);
+    return 5/Foam::sqrt(max(Re, leastRe));
 }
 
 
-Foam::scalar Foam::frictionLaw::mean(const scalar anyRe) const
+Foam::scalar Foam::frictionLaw::mean(const scalar Re) const
 {
-    const scalar Re = max(anyRe, leastRe);
     if (!turbulent(Re))
     {
         return laminarMean(Re);
     }
-    const scalar start = max(transition_, leastRe);
-    const scalar kept =
-        transition_ > 0 ? start*(turbulentMean(start) - laminarMean(start)) : 0;
-    return turbulentMean(Re) - kept/Re;
+    const scalar saved =
+        transition_*(turbulentMean(transition_) - laminarMean(transition_));
+    return turbulentMean(Re) - saved/max(Re, leastRe);
 }
 
 
-Foam::scalar Foam::frictionLaw::local(const scalar anyRe) const
+Foam::scalar Foam::frictionLaw::local(const scalar Re) const
 {
-    const scalar Re = max(anyRe, leastRe);
     return turbulent(Re) ? turbulentLocal(Re) : laminarLocal(Re);
 }
 
 
-Foam::scalar Foam::frictionLaw::thickness(const scalar anyRe) const
+Foam::scalar Foam::frictionLaw::thickness(const scalar Re) const
 {
-    const scalar Re = max(anyRe, leastRe);
     return turbulent(Re) ? 72.0/7*mean(Re)/2 : laminarThickness(Re);
 }
 

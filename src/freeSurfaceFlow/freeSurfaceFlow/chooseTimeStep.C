@@ -111,9 +111,17 @@ void Foam::freeSurfaceFlow::alignTimeStep(Time& time)
 }
 
 
-void Foam::freeSurfaceFlow::renewInterface()
+void Foam::freeSurfaceFlow::renewAfterWrite()
 {
-    if (interface_ && mesh_.dynamic() && time_.writeTime())
+    if (!time_.writeTime())
+    {
+        return;
+    }
+    if (addedMass_)
+    {
+        addedMass_->forgetPressures();
+    }
+    if (interface_ && mesh_.dynamic())
     {
         // First free the names of its fields
         interface_.clear();
@@ -158,7 +166,7 @@ void Foam::freeSurfaceFlow::chooseTimeStep(Time& time)
 {
     addProfiling(timeStep, "time step");
 
-    renewInterface();
+    renewAfterWrite();
 
     const dictionary& control = time.controlDict();
 

@@ -246,7 +246,12 @@ Foam::freeSurfaceFlow::freeSurfaceFlow(dynamicFvMesh& mesh)
         projectFlux();
     }
 
-    turbulence_->validate();
+    // A restart has read its eddy viscosity: wall functions iterate on it from
+    // one call to the next
+    if (!restart || !scene_.turbulence())
+    {
+        turbulence_->validate();
+    }
     reportScene(Info);
 }
 

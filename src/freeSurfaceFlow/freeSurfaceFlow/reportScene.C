@@ -95,7 +95,7 @@ void Foam::freeSurfaceFlow::reportScene(Ostream& os) const
     }
     else if (mag(rho1 - rho2) > SMALL)
     {
-        remarks.append("gravity is off: nothing holds the free surface level");
+        remarks.append("Gravity is off: nothing holds the free surface level");
     }
 
     scalar sigma = 0;
@@ -180,10 +180,11 @@ void Foam::freeSurfaceFlow::reportScene(Ostream& os) const
         {
             remarks.append
             (
-                "cavitation number " + name(Ca) + ": where the flow is faster"
-                " than about " + name(Foam::sqrt(1 + Ca)) + " times the"
-                " reference speed the liquid would boil; plungeFoam lets its"
-                " pressure fall below the vapour's instead"
+                "Cavitation number " + name(Ca) + ": the liquid would boil, or"
+                " give off dissolved gas, where the flow is faster than "
+              + name(U*Foam::sqrt(max(1 + Ca, scalar(0)))) + " m/s against the"
+                " body; plungeFoam lets its pressure fall below the vapour's"
+                " instead"
             );
         }
     }

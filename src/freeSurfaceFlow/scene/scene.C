@@ -276,11 +276,14 @@ void Foam::scene::print(Ostream& os) const
         << ", boundary layer "
         << (
                boundaryLayer_ == boundaryLayerType::unstated
-             ? "as constant/turbulenceProperties and U have it"
+             ? "unstated"
              : boundaryLayerTypeNames[boundaryLayer_].c_str()
-           )
-        << ", turbulence " << simulationType_
-        << ", initial flow " << initialFlowTypeNames[initialFlow_];
+           );
+    if (turbulence())
+    {
+        os  << ", turbulence " << simulationType_;
+    }
+    os  << ", initial flow " << initialFlowTypeNames[initialFlow_];
     if (meshMotion_ == motionType::overset)
     {
         os  << ", fringe " << fringeTypeNames[fringe_];
