@@ -81,8 +81,26 @@ MISTAKES = {
         "floatingBody", scene("meshMotion none;"), ("sceneProperties", "meshMotion", "none", "overset", "dynamicMeshDict")),
     "scene with a body that is not there": Mistake(
         "damBreak", scene("body sixDoF;"), ("sceneProperties", "body", "none", "dynamicMeshDict")),
-    "scene with turbulence in a laminar case": Mistake(
-        "damBreak", scene("turbulence on;"), ("sceneProperties", "turbulence", "simulationType")),
+    "wall functions in a laminar case": Mistake(
+        "damBreak", scene("boundaryLayer wallFunction;"), ("sceneProperties", "boundaryLayer", "wallFunction", "simulationType", "RAS")),
+    "friction line in a turbulent case": Mistake(
+        "floatingBody", scene("boundaryLayer frictionLine;"), ("sceneProperties", "boundaryLayer", "frictionLine", "simulationType")),
+    "unknown boundary layer": Mistake(
+        "damBreak", scene("boundaryLayer turbulent;"), ("sceneProperties", "boundaryLayer", "turbulent", "frictionLine", "wallFunction")),
+    "laminar layer that the mesh does not resolve": Mistake(
+        "damBreak", scene("boundaryLayer laminar;", "reference { length 0.5; speed 25; }"),
+        ("sceneProperties", "does not resolve", "frictionLine")),
+    "transition below zero": Mistake(
+        "damBreak", scene("boundaryLayer frictionLine;", "frictionLineCoeffs { transitionReynolds -1; }"),
+        ("frictionLineCoeffs", "transitionReynolds", "-1", "positive")),
+    "unknown entry of the friction line": Mistake(
+        "damBreak", scene("boundaryLayer frictionLine;", "frictionLineCoeffs { transition 1; }"),
+        ("frictionLineCoeffs", "transition", "transitionReynolds", "patches")),
+    "friction line on a patch that is missing": Mistake(
+        "damBreak", scene("boundaryLayer frictionLine;", "frictionLineCoeffs { patches (hull); }"),
+        ("frictionLineCoeffs", "patches", "hull", "leftWall")),
+    "turbulence in the scene": Mistake(
+        "damBreak", scene("turbulence on;"), ("sceneProperties", "turbulence", "boundaryLayer")),
     "compressibility": Mistake(
         "damBreak", scene("compressibility liquid;"), ("sceneProperties", "compressibility", "liquid", "none")),
     "isoAdvector on an overset mesh": Mistake(
@@ -106,6 +124,6 @@ def test_badInput(name: str, cases: Dict[str, Path]) -> None:
 def test_goodInput(case: str, cases: Dict[str, Path]) -> None:
     """Without a mistake the same cases run, with a scene that says what they are."""
     good = copy(cases[case], f"good-{case}")
-    scene(*{"damBreak": ("body none;", "meshMotion none;", "turbulence off;"),
-            "floatingBody": ("body sixDoF;", "meshMotion overset;", "turbulence on;")}[case])(good)
+    scene(*{"damBreak": ("body none;", "meshMotion none;", "boundaryLayer frictionLine;"),
+            "floatingBody": ("body sixDoF;", "meshMotion overset;", "boundaryLayer wallFunction;")}[case])(good)
     assert steps(foam("plungeFoam", case=good, log="log.solver"))

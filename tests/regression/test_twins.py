@@ -60,11 +60,12 @@ def test_restart(tutorial: str, coarser: int, deltaT: float, tolerance: float, t
         assert np.linalg.norm(last[0] - last[1]) < 0.03*travel
 
 
-@pytest.mark.parametrize("mesh, ranks", [("overset", 1), ("overset", 2), ("single", 1)])
-def test_interruptedDive(mesh: str, ranks: int, tmp_path: Path) -> None:
+@pytest.mark.parametrize("mesh, ranks, layer", [("overset", 1, "auto"), ("overset", 2, "auto"), ("single", 1, "auto"),
+                                                ("overset", 1, "wallFunction")])
+def test_interruptedDive(mesh: str, ranks: int, layer: str, tmp_path: Path) -> None:
     """Stopped and started again, and killed while it wrote, a dive is bit for bit the one that went through."""
-    allrun = (REPOSITORY / "cases/gannetPlunge/Allrun", "-mesh", mesh, "-np", ranks, "-resolution", 0.5,
-              "-set", "dive.travel=0.1", "-set", "output.frames=7", "-run")
+    allrun = (REPOSITORY / "cases/gannetPlunge/Allrun", "-mesh", mesh, "-np", ranks, "-boundaryLayer", layer, "-resolution", 0.5,
+              "-set", f"dive.travel={0.05 if layer == 'wallFunction' else 0.1}", "-set", "output.frames=7", "-run")
     foam(*allrun, tmp_path / "whole", case=tmp_path)
     whole = tmp_path / "whole"
     parts = [f"processor{i}" for i in range(ranks)] if ranks > 1 else ["."]

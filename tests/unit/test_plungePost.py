@@ -131,7 +131,7 @@ def constant_deceleration() -> dict[str, np.ndarray]:
 
 def test_key_numbers_of_a_known_dive(tmp_path):
     table = constant_deceleration()
-    tail = {"time_s": table["time_s"][::50], "high_m": 1 - table["penetration_m"][::50]}
+    tail = {"time_s": table["time_s"][::50], "high_m": 1 - table["penetration_m"][::50], "low_m": -table["penetration_m"][::50]}
     ledger = {"time_s": np.array([0, 1.0]), "error_percent_of_body_volume": np.array([-0.3, 0.2])}
     numbers = key_numbers(table, ledger, tail)
     value = {name: v for name, (v, _) in numbers.items()}
@@ -140,6 +140,8 @@ def test_key_numbers_of_a_known_dive(tmp_path):
     assert value["full immersion time"] == pytest.approx(1e-3 + wet, abs=2e-5)
     assert value["velocity lost at full immersion"] == pytest.approx(50 * wet, rel=1e-3)
     assert value["peak deceleration"] == pytest.approx(50.05)
+    # Until a quarter of the metre is in, at about 11 ms
+    assert value["impact deceleration"] == pytest.approx(50.0112, abs=2e-4)
     assert value["time of peak deceleration"] == pytest.approx(0.05)
     assert value["largest |deceleration| before contact"] == 400
     assert value["pitch change at end"] == pytest.approx(5)
@@ -256,7 +258,7 @@ def test_the_uncertainty_of_the_same_dive_is_found(tmp_path):
     write_dive_parameters(tmp_path, resolution="1.0")
     write_uncertainties(tmp_path, "water", "titan")
     found, sentence = read_uncertainties(tmp_path)
-    assert set(found) == set(HEADLINES[:3])
+    assert set(found) == set(MEASURED)
     assert found["peak deceleration"].total == 1.3
     assert found["peak deceleration"].parts == {"mesh": 0.3, "time step": 0.4, "boundary layer": 1.2}
     assert "validation/diveUncertainty" in sentence and "version abc123 of 2026-11-30" in sentence
@@ -614,6 +616,7 @@ def test_the_report_ends_with_the_answer_how_sure_it_is_and_what_was_left_out(tm
         "  body sixDoF, mesh motion overset, surface tension off, turbulence off, initial flow potential,",
         "    fringe conserved, both fluids incompressible.",
         f"{case.name}, fluids titan, half model, tier fast, 1,234 particles of liquid:",
+        "  impact deceleration              50.01 m/s2 at 7.00 ms",
         "  peak deceleration                50.0 m/s2 +- 1.3 (mesh 0.30, time step 0.40, boundary layer 1.2), 5.104 g, at 50.00 ms",
         "  full immersion                   36.0000 ms +- 0.0050 (mesh 0.0030, time step 0.0040, boundary layer 0)",
         "  velocity lost at full immersion  1.750 m/s +- 0.051 (mesh 0.030, time step 0.010, boundary layer 0.040) of 25 m/s",
@@ -636,7 +639,7 @@ def test_notes_on_the_figure_are_below_its_panels():
     from plungeFigures import plt, trajectory_figure
 
     table = constant_deceleration()
-    tail = {"time_s": table["time_s"], "high_m": 1 - table["penetration_m"]}
+    tail = {"time_s": table["time_s"], "high_m": 1 - table["penetration_m"], "low_m": -table["penetration_m"]}
     numbers = key_numbers(table, None, tail)
     sure = {name: Uncertainty(0.02 * abs(numbers[name][0]), {"mesh": 0.0}) for name in HEADLINES}
     for count in (1, 12):

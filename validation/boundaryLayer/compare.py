@@ -23,7 +23,7 @@ import numpy as np
 from scipy.optimize import brentq
 
 FOLDER = Path(__file__).resolve().parent
-sys.path.insert(0, str(FOLDER.parent))
+sys.path[:0] = [str(FOLDER), str(FOLDER.parent)]
 from dives import finish, start  # noqa: E402
 from fixedBody import SOLVER, Drag, forces, solve  # noqa: E402
 from bodyGeometry import Body  # noqa: E402

@@ -170,7 +170,10 @@ def trajectory_figure(title: str, table: Table, ledger: Table | None, numbers: Q
                          f"{what}{scale * value:.{decimals}f} $\\pm$ {total} {unit}", along, bar, beside)
 
     immersed = events["immersed"]
-    sure("peak deceleration", slow, numbers["time of peak deceleration"][0], "deceleration_m_s2", "", (1, 0))
+    impact, peak = (numbers[f"time of {name}"][0] for name in ("impact deceleration", "peak deceleration"))
+    sure("impact deceleration", slow, impact, "deceleration_m_s2", "", (1, 0))
+    if peak != impact:
+        sure("peak deceleration", slow, peak, "deceleration_m_s2", "", (-1, -1))
     sure("velocity lost at full immersion", speed, immersed, "speed_m_s", "lost: ", (-1, -1))
     sure("pitch change at full immersion", pitch, immersed, "pitch_deg", "change: ", (-1, 1))
     sure("full immersion time", depth, immersed, "penetration_m", "", (-1, 1), along="x")

@@ -148,7 +148,8 @@ def key_numbers(trajectory: Table, ledger: Table | None, extent: Table) -> Quant
     immersion = crossing(extent["time_s"], extent["high_m"], falling=True)
     # Later peaks are those of friction and form, which grow with the wetted part
     height = float(extent["high_m"][0] - extent["low_m"][0])
-    impact = np.max(np.where(wet & (trajectory["penetration_m"] <= IMPACT * height), slow, -np.inf), initial=-np.inf)
+    early = wet & (trajectory["penetration_m"] <= IMPACT * height)
+    impact = int(np.argmax(np.where(early, slow, -np.inf)))
 
     def at(name: str, when: float) -> float:
         return float(np.interp(when, time, trajectory[name])) if np.isfinite(when) else float("nan")
@@ -158,7 +159,8 @@ def key_numbers(trajectory: Table, ledger: Table | None, extent: Table) -> Quant
         "full immersion time": (immersion, "s"),
         "end time": (float(time[-1]), "s"),
         "initial speed": (float(speed[0]), "m/s"),
-        "impact deceleration": (float(impact) if np.isfinite(impact) else float("nan"), "m/s2"),
+        "impact deceleration": (float(slow[impact]) if early.any() else float("nan"), "m/s2"),
+        "time of impact deceleration": (float(time[impact]) if early.any() else float("nan"), "s"),
         "peak deceleration": (float(slow[peak]), "m/s2"),
         "peak deceleration in g": (float(slow[peak]) / G0, "g"),
         "time of peak deceleration": (float(time[peak]), "s"),
