@@ -17,6 +17,11 @@ CASE = ROOT / "cases/gannetPlunge"
 # OpenFOAM's fastest on these meshes, tier fast: voxels of two cells in the background and half a cell in the body's mesh
 STOCK_STENCIL = ("method trackingInverseDistance; searchBox (-0.61 0 -1.43) (0.65 0.35 1.33); "
                  "searchBoxDivisions ((25 7 56) (100 28 221));")
+# What makes plungeFoam's scene that of a stock solver, which has the added mass given: Lamb's spheroid, half of it
+AS_STOCK = {
+    "constant/sceneProperties": "#remove boundaryLayer\n#remove frictionLineCoeffs\nsurfaceTension on;",
+    "constant/bodyMotion": "solver { addedMass (0.0295806 1.3718 1.3718); addedInertia (0 0.0505216 0.0505216); }",
+}
 WINDOW = 1e-3   # [s], of running means: the body moves by a quarter of its diameter
 FIRST = 1e-4    # [s], of the start
 

@@ -26,7 +26,7 @@ from makeCase import FACTORS, KRAKEN, PAPER  # noqa: E402
 from plungeResults import CaseError, cpu_seconds, gather, read_numbers  # noqa: E402
 from resultTable import Row, show, write  # noqa: E402
 
-REPORTED = ("peak deceleration", "velocity lost at full immersion")
+REPORTED = ("impact deceleration", "peak deceleration", "velocity lost at full immersion")
 
 
 def wetted_area(body: Body) -> float:

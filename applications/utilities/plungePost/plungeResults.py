@@ -295,7 +295,7 @@ class Scene:
 
 
 def read_scene(case: Path) -> Scene:
-    """What the log says under Scene, at the latest start; empty where it says nothing, as that of plungeSPH, or is not kept."""
+    """What the log says under Scene, at the latest start; empty where it says nothing or is not kept."""
     if not (case / f"log.{solver_name(case)}").is_file():
         return Scene()
     blocks = re.findall(r"^Scene\n((?:    .*\n)+)", solver_log(case), re.M)

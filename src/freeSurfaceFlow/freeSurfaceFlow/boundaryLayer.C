@@ -64,13 +64,13 @@ void Foam::freeSurfaceFlow::slipOverWalls()
             Info<< "U on " << mesh_.boundary()[patchi].name() << ": "
                 << slipWall::typeName << " takes the place of "
                 << U_.boundaryField()[patchi].type() << endl;
-            U_.boundaryFieldRef().set
+            const fvPatch& patch = mesh_.boundary()[patchi];
+            const vectorField wall
             (
-                patchi,
-                new slipWall(mesh_.boundary()[patchi], U_)
+                body_ ? body_->velocity(patch.Cf())() : U_.boundaryField()[patchi]
             );
-            U_.boundaryFieldRef()[patchi] ==
-                vectorField(mesh_.boundary()[patchi].size(), Zero);
+            U_.boundaryFieldRef().set(patchi, new slipWall(patch, U_));
+            U_.boundaryFieldRef()[patchi] == wall;
         }
     }
 }

@@ -505,6 +505,25 @@ void Foam::smoothedParticles::particleProperties::print(Ostream& os) const
 }
 
 
+void Foam::smoothedParticles::particleProperties::printScene(Ostream& os) const
+{
+    const interactionModel& m = common_.interaction;
+    os  << "Scene" << nl
+        << "    models      : particles of the liquid alone, weakly compressible, viscosity " << viscosityNames[m.viscosity]
+        << ", walls " << wallNames[m.noSlip] << nl
+        << "    Note: There is no gas: nothing cushions an impact, and cavities are empty." << nl
+        << "    Note: "
+        << (
+               m.noSlip
+             ? "Friction on the walls is that of what particles of this spacing resolve of a boundary layer"
+             : "The walls slip: there is no boundary layer and no friction, which plungeFoam has"
+           )
+        << '.' << nl
+        << "    Note: The liquid is as soft as c0 = " << m.c0 << " m/s: pressures of an impact ring with that speed of sound." << nl
+        << endl;
+}
+
+
 template Foam::smoothedParticles::particleFlowModel<2> Foam::smoothedParticles::particleProperties::model<2>() const;
 template Foam::smoothedParticles::particleFlowModel<3> Foam::smoothedParticles::particleProperties::model<3>() const;
 

@@ -38,6 +38,7 @@ Foam::smoothedParticles::particleSimulation<dim>::particleSimulation
         << "Computation: " << nThreads_ << " threads, " << flow_->instructions() << ", "
         << scalar(flow_->bytes())/1048576 << " MiB" << nl << endl;
 
+    properties_.printScene(Info);
     Info<< "Mach number: " << flow_->maxSpeed()/model_.interaction.c0 << ", of " << flow_->maxSpeed()
         << " m/s, the highest speed of fluid and bodies at the start" << nl << endl;
     checkSpeed();
