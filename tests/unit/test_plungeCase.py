@@ -52,6 +52,7 @@ def test_body_integrals_agree_with_quadrature() -> None:
     centroid = np.trapz(np.pi * r**2 * x, x) / volume
     body = Body(length, ratio)
     assert body.volume == pytest.approx(volume, rel=1e-6)
+    assert body.wetted_area == pytest.approx(np.trapz(2 * np.pi * r * np.sqrt(1 + np.gradient(r, x) ** 2), x), rel=1e-3)
     assert body.centroid == pytest.approx(centroid, rel=1e-6)
     roll, pitch = body.unit_inertia()
     assert roll == pytest.approx(np.trapz(np.pi * r**4 / 2, x), rel=1e-6)

@@ -105,12 +105,6 @@ def plates() -> List[Row]:
     return rows
 
 
-def wetted_area(body: Body) -> float:
-    """Surface of the body of revolution [m2]."""
-    x, r = body.point(np.linspace(0, 1, 2001))
-    return float(np.pi*np.sum((r[1:] + r[:-1])*np.hypot(np.diff(x), np.diff(r))))
-
-
 # Fluids, tier, boundary layer, and a transition where it is not the default
 BODIES: Tuple[Tuple[str, str, str, float], ...] = (
     *((fluids, "standard", "frictionLine", 5e5) for fluids in ("titan", "water")),
@@ -134,7 +128,7 @@ def bodies(results: Dict[Tuple[str, str, str, float], Drag]) -> List[Row]:
         given = read(body_run(*which) / "system/plungeGenerated")
         body = Body(given["bodyLength"], given["thicknessRatio"])
         reynolds = given["liquidDensity"]*given["speed"]*body.length/given["liquidViscosity"]
-        unit = given["liquidDensity"]/2*given["speed"]**2*wetted_area(body)
+        unit = given["liquidDensity"]/2*given["speed"]**2*body.wetted_area
         name = f"body, {fluids}, tier {tier}, {layer}" + (f", transition at Re_x {transition:g}" if transition != 5e5 else "")
         rows.append(Row(f"{name}: cells", cell_count(body_run(*which)), "1"))
         if layer == "none":

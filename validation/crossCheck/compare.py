@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Compare dives of plungeSPH with those of plungeFoam into the same fluids: writes result.csv, prints it, draws the curves.
 
-Nothing is judged: neither is the reference of the other. Decelerations are given as computed and as their running mean
+Nothing is judged: neither is the reference of the other. The particles slip over the body, so they are compared with plungeFoam's
+dives without a boundary layer. Decelerations are given as computed and as their running mean
 over the time in which the body moves by one spacing of the coarsest particles: these resolve nothing that is shorter, but a
 weakly compressible liquid rings. The same mean is taken of all runs.
 """
@@ -80,7 +81,8 @@ def main() -> int:
         for run, given in sorted(dives.items(), key=lambda item: item[1]["application"]):
             fluids, meshes = given["fluids"], given["application"] == "plungeFoam"
             found = figures(run, window)
-            name = f"{fluids}, {given['application']} {given['tier']}"
+            layer = given["boundaryLayer"] if meshes else ""
+            name = f"{fluids}, {given['application']} {given['tier']}" + (f", boundary layer {layer}" if meshes else "")
             cpu = f"{cpu_seconds(run):.0f}"
             rows.append(Row(f"{name}: {'cells' if meshes else 'particles of the liquid'}",
                             str(cell_count(run) if meshes else particle_counts(run)[0]), "1", cpu_s=cpu))
@@ -88,9 +90,9 @@ def main() -> int:
                 rows.append(Row(f"{name}: {quantity}", value, unit, cpu_s=cpu))
                 if not meshes:
                     other = on_meshes[fluids][quantity][0]
-                    rows.append(Row(f"{name}: {quantity}, less that of plungeFoam", value - other, unit, cpu_s=cpu))
-                    rows.append(Row(f"{name}: {quantity}, over that of plungeFoam", value / other, "1", cpu_s=cpu))
-            if meshes:
+                    rows.append(Row(f"{name}: {quantity}, less that of plungeFoam without one", value - other, unit, cpu_s=cpu))
+                    rows.append(Row(f"{name}: {quantity}, over that of plungeFoam without one", value / other, "1", cpu_s=cpu))
+            if layer == "none":
                 on_meshes[fluids] = found
         rows += memory(arguments.million)
     except CaseError as error:

@@ -11,7 +11,7 @@ full immersion stand those of a flat plate of the body's wetted area and length 
 """
 import argparse
 import sys
-from math import log10, pi, sqrt
+from math import log10, sqrt
 from pathlib import Path
 from typing import Dict, List
 
@@ -29,18 +29,11 @@ from resultTable import Row, show, write  # noqa: E402
 REPORTED = ("impact deceleration", "peak deceleration", "velocity lost at full immersion")
 
 
-def wetted_area(body: Body) -> float:
-    """Surface of the body of revolution [m2]."""
-    c = np.linspace(0, 1, 2001)
-    x, r = body.point(c)
-    return float(pi * np.sum((r[1:] + r[:-1]) * np.hypot(np.diff(x), np.diff(r))))
-
-
 def flat_plates(given: Dict[str, float]) -> Dict[str, float]:
     """Viscous deceleration [m/s2] by either law."""
     body = Body(given["bodyLength"], given["thicknessRatio"])
     reynolds = given["liquidDensity"] * given["speed"] * body.length / given["liquidViscosity"]
-    unit = given["liquidDensity"] / 2 * given["speed"] ** 2 * wetted_area(body) / given["bodyMass"]
+    unit = given["liquidDensity"] / 2 * given["speed"] ** 2 * body.wetted_area / given["bodyMass"]
     return {"laminar": 1.328 / sqrt(reynolds) * unit, "turbulent": 0.075 / (log10(reynolds) - 2) ** 2 * unit}
 
 

@@ -61,6 +61,12 @@ class Body:
         return np.pi * self._integral(self._r**2)
 
     @property
+    def wetted_area(self) -> float:
+        """Surface of the whole body [m2]."""
+        x, r = self.point(np.linspace(0, 1, 20001))
+        return float(np.pi * np.sum((r[1:] + r[:-1]) * np.hypot(np.diff(x), np.diff(r))))
+
+    @property
     def centroid(self) -> float:
         """Distance of the centre of volume from the nose [m]."""
         return np.pi * self._integral(self._r**2 * self._x) / self.volume
