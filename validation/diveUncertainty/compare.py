@@ -128,9 +128,9 @@ def uncertainty(what: str, unit: str, values: Dict[str, float]) -> Tuple[Parts, 
     return parts, rows
 
 
-def writeTable(path: Path, fluids: str, given: Dict[str, str], numbers: Quantities, parts: Dict[str, Parts]) -> None:
+def writeTable(path: Path, fluids: str, given: Dict[str, str], numbers: Quantities, parts: Dict[str, Parts],
+               version: str) -> None:
     """The case's table: rows of these fluids anew, others as they are. What could not be measured has no row."""
-    stamp = {"version": software_version(HERE), "date": date.today().isoformat()}
     rows = [row for row in read_rows(path) if row["fluids"] != fluids]
     for name, part in parts.items():
         if not isfinite(part.total):
@@ -138,7 +138,8 @@ def writeTable(path: Path, fluids: str, given: Dict[str, str], numbers: Quantiti
             continue
         value, unit = numbers[name]
         rows.append({**given, "quantity": name, "value": f"{value:.6g}", "unit": unit, "total_uncertainty": f"{part.total:.4g}",
-                     **{column: f"{each:.4g}" for column, each in zip(CAUSES.values(), part)}, **stamp})
+                     **{column: f"{each:.4g}" for column, each in zip(CAUSES.values(), part)},
+                     "version": version, "date": date.today().isoformat()})
     with path.open("w", newline="") as file:
         out = csv.DictWriter(file, COLUMNS, lineterminator="\n")
         out.writeheader()
@@ -173,8 +174,10 @@ def main() -> int:
             change = 100*(values["fine"]/values[DEFAULT] - 1)*0.5/(1 - 1/RATIO)
             rows.append(judge(f"{fluids}: change of {JUDGED} by doubling, estimated from 1 and {RATIO:g}", change, "%", 0, ALLOWED_CHANGE))
 
+    # Before the tables change what is under version control
+    version = software_version(HERE)
     write(HERE / "result.csv", rows, keep=lambda quantity: not quantity.startswith(f"{fluids}: "))
-    writeTable(CASE / TABLE, fluids, conditions(runs[DEFAULT]), numbers[DEFAULT], parts)
+    writeTable(CASE / TABLE, fluids, conditions(runs[DEFAULT]), numbers[DEFAULT], parts, version)
     show(rows)
     return 0 if complete else 1
 
