@@ -7,10 +7,13 @@ from math import log, log10, sqrt
 
 TREATMENTS = ("laminar", "wallFunction", "frictionLine", "none")
 
-# A laminar layer takes ten cells or so: the first one's share of its thickness.
-_RESOLVED_SHARE = 0.1
+# The first cell's share of a laminar layer's thickness: plungeFoam refuses more than a tenth, of all first cells' mean, which is
+# larger by less than a tenth than that at the thickest section.
+_RESOLVED_SHARE = 0.09
 # Wall distance y+ of the first cells' centres under wall functions: in the logarithmic layer, with room to either side.
-_WALL_DISTANCE = 60
+WALL_DISTANCE = 60
+# Where wall functions hold.
+WALL_DISTANCES = (30, 300)
 # Below this Reynolds number no layer is turbulent, and the friction line does not reach.
 _LEAST_REYNOLDS = 1e4
 
@@ -25,7 +28,7 @@ def wall_function_layer(reynolds: float, length: float) -> float:
     half = max(reynolds / 2, _LEAST_REYNOLDS)
     mean = 0.455 / log10(half) ** 2.58
     local = mean * (1 - 2.58 / log(half))
-    return 2 * _WALL_DISTANCE * length / (reynolds * sqrt(local / 2))
+    return 2 * WALL_DISTANCE * length / (reynolds * sqrt(local / 2))
 
 
 # Turbulence intensity and omega length/speed of the undisturbed fluids. In the default dive k is 1e-4 m2/s2 and omega 10 1/s:

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import subprocess
 from dataclasses import dataclass, replace
-from math import ceil, cos, radians, sin, sqrt
+from math import ceil, cos, isfinite, radians, sin, sqrt
 from pathlib import Path
 from typing import Any, Callable
 
@@ -25,7 +25,7 @@ Check = tuple[str, Callable[[Any], bool]]
 
 
 def _number(expectation: str, holds: Callable[[float], bool]) -> Check:
-    return (expectation, lambda v: isinstance(v, (int, float)) and not isinstance(v, bool) and holds(v))
+    return (expectation, lambda v: isinstance(v, (int, float)) and not isinstance(v, bool) and isfinite(v) and holds(v))
 
 
 def _triple(expectation: str, holds: Callable[[float], bool]) -> Check:
@@ -375,7 +375,14 @@ def mesh_sections(dive: Dive, path: StraightPath, layer: str) -> list[tuple[str,
         size, background = single_mesh_size(size, length), 0
     turbulence = []
     if layer == "wallFunction":
-        size = with_first_layer(size, boundaryLayer.wall_function_layer(dive.reynolds, length))
+        wanted = boundaryLayer.wall_function_layer(dive.reynolds, length)
+        size = with_first_layer(size, wanted)
+        low, high = boundaryLayer.WALL_DISTANCES
+        y_plus = boundaryLayer.WALL_DISTANCE * first_layers(size)[1] / wanted
+        if not low <= y_plus <= high:
+            raise ParameterError(
+                f"{dive.source}: entry 'boundaryLayer' is wallFunction, but first cells would be at y+ = {y_plus:.3g} at "
+                f"Re = {dive.reynolds:.3g}; expected {low} to {high}, or frictionLine")
         k, omega = boundaryLayer.free_stream(path.speed, length)
         turbulence = [("Turbulence of the undisturbed fluids, too weak to act on the flow: intensity 0.033 %, "
                        "eddy viscosity 4e-7 speed length", {"freeStreamK": k, "freeStreamOmega": omega})]
@@ -405,7 +412,7 @@ def mesh_sections(dive: Dive, path: StraightPath, layer: str) -> list[tuple[str,
             "cores": p["cores"], "estimatedCells": round(all_cells, -3),
             "estimatedSteps": round(path.duration / time_step, -1), "coresSplit": cores_split(p["cores"]),
             "diveDuration": path.duration, "frameInterval": path.duration / p["output.frames"],
-            "initialDeltaT": 0.05 * size.nose_spacing / path.speed,
+            "initialDeltaT": min(0.05 * size.nose_spacing / path.speed, tier["maxDeltaT"] / resolution, 0.1 * path.duration),
             "deltaTLimit": tier["maxDeltaT"] / resolution, "courantLimit": tier["maxCo"],
             "interfaceCourantLimit": tier["maxAlphaCo"],
         }),

@@ -148,7 +148,7 @@ def key_numbers(trajectory: Table, ledger: Table | None, extent: Table) -> Quant
     immersion = crossing(extent["time_s"], extent["high_m"], falling=True)
     # Later peaks are those of friction and form, which grow with the wetted part
     height = float(extent["high_m"][0] - extent["low_m"][0])
-    early = wet & (trajectory["penetration_m"] <= IMPACT * height)
+    early = wet & np.isfinite(contact) & (trajectory["penetration_m"] <= IMPACT * height)
     impact = int(np.argmax(np.where(early, slow, -np.inf)))
 
     def at(name: str, when: float) -> float:
@@ -171,7 +171,7 @@ def key_numbers(trajectory: Table, ledger: Table | None, extent: Table) -> Quant
         "pitch change at end": (float(trajectory["pitch_deg"][-1] - trajectory["pitch_deg"][0]), "deg"),
         "penetration at end": (float(trajectory["penetration_m"][-1]), "m"),
     }
-    if ledger is not None:
+    if ledger is not None and ledger["time_s"].size:
         error = ledger["error_percent_of_body_volume"]
         numbers["max |volume ledger error|"] = (float(np.max(np.abs(error))), "% of body volume")
         numbers["volume ledger error at end"] = (float(error[-1]), "% of body volume")
@@ -283,7 +283,7 @@ def solver_log(case: Path) -> str:
     path = case / f"log.{solver_name(case)}"
     if not path.is_file():
         raise CaseError(f"{path}: not found; has the case's Allrun run?")
-    return path.read_text()
+    return path.read_text(errors="replace")
 
 
 @dataclass(frozen=True)
@@ -330,10 +330,13 @@ def describe(case: Path) -> str:
     if (case / PARAMETERS).is_file():
         given = {name: entry(case, PARAMETERS, name) for name in ("fluids", "model", "tier", "resolution")}
         words += [f"fluids {given['fluids']}", f"{given['model']} model", f"tier {given['tier']}"]
+        body = {name: float(entry(case, PARAMETERS, name)) for name in ("bodyLength", "speed", "pathAngle")}
+        words.insert(1, f"{body['bodyLength']:g} m at {body['speed']:g} m/s and {body['pathAngle']:g} deg")
         if float(given["resolution"]) != 1:
             words.append(f"resolution {given['resolution']}")
     if solver_name(case) == "plungeSPH":
         words.append(f"{particle_counts(case)[0]:,} particles of liquid")
     else:
-        words.append(f"{cell_count(case):,} cells")
+        layer = parameters(case).get("boundaryLayer")
+        words += [*([f"boundary layer {layer}"] if layer else []), f"{cell_count(case):,} cells"]
     return ", ".join(words)

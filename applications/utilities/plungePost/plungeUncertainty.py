@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import csv
 from dataclasses import dataclass
-from math import floor, isclose, log10
+from math import floor, isclose, isfinite, log10
 from pathlib import Path
 
 from plungeResults import CaseError, Quantities, parameters
@@ -18,7 +18,9 @@ CAUSES = {"mesh": "mesh_uncertainty", "time step": "time_uncertainty", "boundary
 
 # Entries of plungeGenerated. An uncertainty holds for dives that have all of them in common; the first ones name a dive.
 NAMED = ("fluids", "tier", "model", "mesh", "resolution", "boundaryLayer")
-CONDITIONS = NAMED + ("transitionReynolds", "bodyLength", "thicknessRatio", "bodyMass", "speed", "pathAngle")
+CONDITIONS = NAMED + ("application", "transitionReynolds", "bodyLength", "thicknessRatio", "bodyMass", "bodyMomentOfInertia",
+                      "centreOfMassFromNose", "speed", "pathAngle", "gap", "diveDuration",
+                      "liquidDensity", "liquidViscosity", "gasDensity", "gravity")
 COLUMNS = CONDITIONS + ("quantity", "value", "unit", *CAUSES.values(), "total_uncertainty", "version", "date")
 
 
@@ -40,8 +42,9 @@ def two_digits(uncertainty: float) -> tuple[str, int]:
     """An uncertainty in two significant digits, and how many decimals a number has that goes with it."""
     if not uncertainty > 0:
         return f"{uncertainty:g}", 3
-    decimals = max(0, 1 - floor(log10(float(f"{uncertainty:.1e}"))))
-    return f"{uncertainty:.{decimals}f}", decimals
+    rounded = float(f"{uncertainty:.1e}")
+    decimals = max(0, 1 - floor(log10(rounded)))
+    return f"{rounded:.{decimals}f}", decimals
 
 
 def conditions(case: Path) -> dict[str, str]:
@@ -54,12 +57,19 @@ def read_rows(path: Path) -> list[dict[str, str]]:
     """The table's rows; none where there is no table."""
     if not path.is_file():
         return []
-    with path.open(newline="") as file:
-        table = csv.DictReader(file)
-        missing = [name for name in COLUMNS if name not in (table.fieldnames or ())]
-        if missing:
-            raise CaseError(f"{path}: no column {', '.join(missing)}; expected a table that {STUDY} has written")
-        return list(table)
+    try:
+        with path.open(newline="") as file:
+            table = csv.DictReader(file)
+            missing = [name for name in COLUMNS if name not in (table.fieldnames or ())]
+            rows = list(table)
+    except UnicodeDecodeError:
+        raise CaseError(f"{path}: no text; expected a table that {STUDY} has written") from None
+    if missing:
+        raise CaseError(f"{path}: no column {', '.join(missing)}; expected a table that {STUDY} has written")
+    for number, row in enumerate(rows, start=2):
+        if None in row or None in row.values():
+            raise CaseError(f"{path}, line {number}: expected a value for each of its {len(COLUMNS)} columns")
+    return rows
 
 
 def same(one: str, other: str) -> bool:
@@ -69,10 +79,18 @@ def same(one: str, other: str) -> bool:
         return one == other
 
 
+def short(entry: str) -> str:
+    """A number in as many digits as a reader needs."""
+    try:
+        return f"{float(entry):.6g}"
+    except ValueError:
+        return entry
+
+
 def read_uncertainties(case: Path) -> tuple[dict[str, Uncertainty], str]:
     """Those that were measured for this dive, by the number's name, and a sentence on what they hold for."""
     here, rows = conditions(case), read_rows(case / TABLE)
-    measure = f"; {STUDY} -fluids {here['fluids']} measures it for tier fast" if here["fluids"] else ""
+    measure = f"; {STUDY} -fluids {here['fluids']} measures it for the default dive, tier fast" if here["fluids"] else ""
     if not rows:
         return {}, f"Uncertainty: not measured{measure}."
 
@@ -82,17 +100,21 @@ def read_uncertainties(case: Path) -> tuple[dict[str, Uncertainty], str]:
     nearest = min(map(differing, rows), key=len)
     if nearest:
         only = ", ".join(f"{name} {' or '.join(dict.fromkeys(row[name] for row in rows))}" for name in NAMED)
-        ours = ", ".join(f"{name} {here[name] or 'unknown'}" for name in nearest)
+        ours = ", ".join(f"{name} {short(here[name]) or 'unknown'}" for name in nearest)
         return {}, f"Uncertainty: measured for {only} only, not for {ours}{measure if nearest == ['fluids'] else ''}."
 
     found: dict[str, Uncertainty] = {}
     version = ""
     for row in (row for row in rows if not differing(row)):
         try:
-            found[row["quantity"]] = Uncertainty(float(row["total_uncertainty"]),
-                                                 {cause: float(row[column]) for cause, column in CAUSES.items()})
+            measured = Uncertainty(float(row["total_uncertainty"]), {cause: float(row[column]) for cause, column in CAUSES.items()})
         except ValueError:
-            raise CaseError(f"{case / TABLE}, {row['quantity']}: expected a number as each uncertainty") from None
+            measured = Uncertainty(-1, {})
+        if not all(isfinite(part) and part >= 0 for part in (measured.total, *measured.parts.values())):
+            raise CaseError(f"{case / TABLE}, {row['quantity']}: expected a number, 0 or above, as each uncertainty")
+        if row["quantity"] not in HEADLINES:
+            raise CaseError(f"{case / TABLE}: quantity {row['quantity']}; expected one of {', '.join(HEADLINES)}")
+        found[row["quantity"]] = measured
         version = f"{row['version']} of {row['date']}"
     return found, f"+-: root of the sum of the squares of its parts; validation/diveUncertainty, version {version}."
 

@@ -61,7 +61,9 @@ Foam::scalar Foam::frictionLaw::mean(const scalar Re) const
 
 Foam::scalar Foam::frictionLaw::local(const scalar Re) const
 {
-    return turbulent(Re) ? turbulentLocal(Re) : laminarLocal(Re);
+    // At the beginning of a turbulent layer the laminar law is the larger one
+    const scalar laminar = laminarLocal(Re);
+    return turbulent(Re) ? max(turbulentLocal(Re), laminar) : laminar;
 }
 
 

@@ -24,8 +24,9 @@ namespace
 
 using namespace Foam;
 
-//- No layer is thicker, of the wall's extent
-const scalar thickest = 0.05;
+//- How far from the wall cells belong to it, of its extent: 1.5 thicknesses of
+//  a laminar layer at Re 2e3, where layers cease to be thin
+const scalar reachOfLayer = 0.17;
 
 //- Distance of the layer's edge, in its thicknesses. Beyond 1 since the layer
 //  grows where the body tapers
@@ -153,7 +154,7 @@ void Foam::frictionLine::setNearWall(const labelUList& zones)
     reduce(wallZone, maxOp<label>());
 
     boundBox box(centres, false);
-    const scalar reach = thickest*box.mag();
+    const scalar reach = reachOfLayer*box.mag();
     box.min() -= vector::uniform(reach);
     box.max() += vector::uniform(reach);
 
@@ -179,8 +180,26 @@ void Foam::frictionLine::setNearWall(const labelUList& zones)
         {
             continue;
         }
-        const label nearest = tree.findNearest(C, GREAT).index();
-        const scalar y = normals[nearest] & (centres[nearest] - C);
+        label nearest = tree.findNearest(C, GREAT).index();
+        scalar y = normals[nearest] & (centres[nearest] - C);
+        if (y <= 0)
+        {
+            // The other side of a wall without thickness
+            for
+            (
+                const label twin
+              : tree.findSphere(centres[nearest], sqr(1e-6*reach))
+            )
+            {
+                const scalar yTwin = normals[twin] & (centres[twin] - C);
+                if (yTwin > 0)
+                {
+                    nearest = twin;
+                    y = yTwin;
+                    break;
+                }
+            }
+        }
         if (y > 0 && y < reach)
         {
             cells.append(celli);
@@ -188,6 +207,7 @@ void Foam::frictionLine::setNearWall(const labelUList& zones)
             distances.append(y);
         }
     }
+    near_.reach = reach;
     near_.cells.transfer(cells);
     near_.faces.transfer(faces);
     near_.distances.transfer(distances);
@@ -283,7 +303,8 @@ Foam::tmp<Foam::scalarField> Foam::frictionLine::edgeSpeeds
     Pstream::listCombineGather(edges, maxEqOp<scalar>());
     Pstream::listCombineScatter(edges);
 
-    // The first wet cell beyond it; where there is none, the one at the wall
+    // The nearest wet cell beyond it; where there is none, the furthest; on a
+    // dry wall the cell there
     const pointField C(mesh_.cellCentres(), near_.cells);
     const vectorField Uw(wallVelocity(C));
     scalarField nearest(faces_.size(), GREAT);
@@ -291,10 +312,11 @@ Foam::tmp<Foam::scalarField> Foam::frictionLine::edgeSpeeds
     {
         const label celli = near_.cells[i];
         const label facei = near_.faces[i];
-        const scalar y = near_.distances[i];
-        if (y >= edges[facei] && y < nearest[facei] && alpha[celli] > 0.5)
+        const scalar beyond = near_.distances[i] - edges[facei];
+        const scalar rank = beyond >= 0 ? beyond : near_.reach - beyond;
+        if (rank < nearest[facei] && alpha[celli] > 0.5)
         {
-            nearest[facei] = y;
+            nearest[facei] = rank;
             speeds[facei] = mag(U_[celli] - Uw[i]);
         }
     }
@@ -386,6 +408,15 @@ bool Foam::frictionLine::read()
 void Foam::frictionLine::correct()
 {
     viscousStress::correct();
+
+    if (mesh_.topoChanging())
+    {
+        FatalErrorInFunction
+            << "The mesh has changed its topology, which boundaryLayer"
+            << " frictionLine (constant/sceneProperties) does not follow" << nl
+            << "Expected: a mesh that keeps its cells, or another boundaryLayer."
+            << exit(FatalError);
+    }
 
     const vectorField slip(this->slip());
     const scalarField s(lengths(slip));

@@ -64,11 +64,14 @@ Foam::tmp<Foam::scalarField> Foam::wallStreamlines::lengths
     const scalar longest =
         constant::mathematical::piByTwo*boundBox(centres, false).mag();
 
+    // Forwards and backwards in turn, for walls with opposite flows
+    labelList order(along.indices());
     const label maxPasses = 100;
+    scalar lastChange = GREAT;
     for (label pass = 0; pass < maxPasses; ++pass)
     {
         scalar change = 0;
-        for (const label facei : along.indices())
+        for (const label facei : order)
         {
             scalar flowIn = 0, flowOut = 0, arrived = 0, ahead = 0;
             for (const label nei : neighbours_[facei])
@@ -101,10 +104,12 @@ Foam::tmp<Foam::scalarField> Foam::wallStreamlines::lengths
             change = max(change, mag(length - s[facei]));
             s[facei] = length;
         }
-        if (change <= 1e-12*longest)
+        if (max(change, lastChange) <= 1e-12*longest)
         {
             break;
         }
+        lastChange = change;
+        inplaceReverseList(order);
     }
     return tlengths;
 }

@@ -36,13 +36,42 @@ Foam::labelList Foam::freeSurfaceFlow::boundaryLayerPatches() const
     if (coeffs.found("patches"))
     {
         const wordRes names(coeffs.get<wordRes>("patches"));
-        const labelList given(patches.patchSet(names).sortedToc());
-        if (given.empty())
+        for (const wordRe& name : names)
         {
-            FatalIOErrorInFunction(scene_.dict().subDict("frictionLineCoeffs"))
-                << "Entry patches " << names << " names no patch of the mesh."
-                << nl << "Expected: one or more of " << patches.names()
-                << exit(FatalIOError);
+            if (patches.indices(name).empty())
+            {
+                FatalIOErrorInFunction
+                (
+                    scene_.dict().subDict("frictionLineCoeffs")
+                )   << "Entry patches: " << name
+                    << " names no patch of the mesh." << nl
+                    << "Expected: any of " << patches.names()
+                    << exit(FatalIOError);
+            }
+        }
+        const labelList given(patches.patchSet(names).sortedToc());
+        for (const label patchi : given)
+        {
+            if (!isA<wallPolyPatch>(patches[patchi]))
+            {
+                FatalIOErrorInFunction
+                (
+                    scene_.dict().subDict("frictionLineCoeffs")
+                )   << "Entry patches " << names << ": "
+                    << patches[patchi].name() << " is of type "
+                    << patches[patchi].type() << nl
+                    << "Expected: patches of type wall." << exit(FatalIOError);
+            }
+            if (body_ && !body_->patches().found(patchi))
+            {
+                FatalIOErrorInFunction
+                (
+                    scene_.dict().subDict("frictionLineCoeffs")
+                )   << "Entry patches " << names << ": "
+                    << patches[patchi].name() << " is not the body's" << nl
+                    << "Expected: patches of constant/dynamicMeshDict alone."
+                    << exit(FatalIOError);
+            }
         }
         return given;
     }
@@ -69,6 +98,15 @@ void Foam::freeSurfaceFlow::slipOverWalls()
             (
                 body_ ? body_->velocity(patch.Cf())() : U_.boundaryField()[patchi]
             );
+            if (!body_ && gMax(mag(wall)) > SMALL)
+            {
+                FatalIOErrorInFunction(scene_.dict())
+                    << "Entry boundaryLayer is frictionLine or none, but the"
+                    << " wall " << patch.name() << " moves, and no"
+                    << " sixDoFRigidBodyMotion moves it" << nl
+                    << "Expected: walls at rest, or those of a body."
+                    << exit(FatalIOError);
+            }
             U_.boundaryFieldRef().set(patchi, new slipWall(patch, U_));
             U_.boundaryFieldRef()[patchi] == wall;
         }
@@ -121,6 +159,63 @@ Foam::freeSurfaceFlow::wallScales Foam::freeSurfaceFlow::scalesOfWalls() const
 
 void Foam::freeSurfaceFlow::checkBoundaryLayer() const
 {
+    const bool stated =
+        scene_.boundaryLayer() != scene::boundaryLayerType::unstated;
+    if (stated && scalesOfWalls().area <= 0)
+    {
+        FatalIOErrorInFunction(scene_.dict())
+            << "Entry boundaryLayer is given, but the scene has no body and the"
+            << " mesh no patch of type wall" << nl
+            << "Expected: a wall in constant/polyMesh/boundary, or no entry"
+            << " boundaryLayer." << exit(FatalIOError);
+    }
+
+    // With these the fluids stick to the walls
+    if (stated && !scene_.slips())
+    {
+        for (const label patchi : boundaryLayerPatches())
+        {
+            const fvPatchVectorField& wall = U_.boundaryField()[patchi];
+            if (!wall.fixesValue())
+            {
+                FatalIOErrorInFunction(scene_.dict())
+                    << "Entry boundaryLayer is laminar or wallFunction, but U"
+                    << " on " << wall.patch().name() << " is " << wall.type()
+                    << nl << "Expected: noSlip or movingWallVelocity in "
+                    << time_.timeName() << "/U." << exit(FatalIOError);
+            }
+        }
+    }
+
+    if (scene_.boundaryLayer() == scene::boundaryLayerType::frictionLine)
+    {
+        if (mesh_.dynamic() && !body_)
+        {
+            FatalIOErrorInFunction(scene_.dict())
+                << "Entry boundaryLayer is frictionLine, but the mesh moves, and"
+                << " no sixDoFRigidBodyMotion moves its walls" << nl
+                << "Expected: walls at rest, or those of a body."
+                << exit(FatalIOError);
+        }
+
+        const dictionary& transport = mixture_;
+        if (mixture_.rho1().value() <= mixture_.rho2().value())
+        {
+            FatalIOErrorInFunction(transport)
+                << "Entry phases " << transport.get<wordList>("phases")
+                << ": the first is not the heavier one" << nl
+                << "Expected: the liquid first, with boundaryLayer"
+                << " frictionLine." << exit(FatalIOError);
+        }
+        if (!(gMin(mixture_.nuModel1().nu()().primitiveField()) > 0))
+        {
+            FatalIOErrorInFunction(scene_.dict())
+                << "Entry boundaryLayer is frictionLine, but the liquid has no"
+                << " viscosity" << nl << "Expected: boundaryLayer none."
+                << exit(FatalIOError);
+        }
+    }
+
     if (scene_.boundaryLayer() == scene::boundaryLayerType::wallFunction)
     {
         const volScalarField nut(turbulence_->nut());
@@ -139,7 +234,12 @@ void Foam::freeSurfaceFlow::checkBoundaryLayer() const
         }
     }
 
-    if (scene_.boundaryLayer() != scene::boundaryLayerType::laminar)
+    // A body that has become faster since the start is no reason to lose work
+    if
+    (
+        scene_.boundaryLayer() != scene::boundaryLayerType::laminar
+     || time_.timeIndex() > 0
+    )
     {
         return;
     }
@@ -161,10 +261,11 @@ void Foam::freeSurfaceFlow::checkBoundaryLayer() const
     {
         FatalIOErrorInFunction(scene_.dict())
             << "Entry boundaryLayer is laminar, but the mesh does not resolve a"
-            << " laminar layer, which is " << thickness << " m thick half way"
-            << " along " << length << " m at " << speed << " m/s: first cells"
-            << " at the walls are " << 2*walls.distance << " m thick" << nl
-            << "Expected: first cells of " << needed << " m or thinner; or"
+            << " laminar layer, which is " << name(thickness) << " m thick half"
+            << " way along " << name(length) << " m at " << name(speed)
+            << " m/s: first cells at the walls are " << name(2*walls.distance)
+            << " m thick" << nl
+            << "Expected: first cells of " << name(needed) << " m or thinner; or"
             << " boundaryLayer frictionLine, whose friction is Blasius' up to"
             << " the transition." << exit(FatalIOError);
     }
@@ -192,9 +293,13 @@ void Foam::freeSurfaceFlow::reportBoundaryLayer
     const scalar plate = 0.5*rho*sqr(speed)*walls.area*law.mean(Re);
     const string friction
     (
-        "a flat plate of " + name(walls.area) + " m2, the wall in this mesh,"
-        " has " + name(plate) + " N at this Re, turbulent from Re_x = "
+        "the friction of a flat plate of its wetted area, turbulent from Re_x = "
       + name(scene_.transitionReynolds())
+      + (
+            body_
+          ? ", would slow the body by " + name(plate/body_->mass()) + " m/s2"
+          : ", is " + name(plate) + " N on the walls of this mesh"
+        )
     );
 
     switch (type)
@@ -206,9 +311,9 @@ void Foam::freeSurfaceFlow::reportBoundaryLayer
                 << plate << " N" << nl;
             remarks.append
             (
-                "The boundary layer is a friction line, which holds within"
-                " about 10 % for slender bodies (towed hulls); a layer that"
-                " separates is not predicted"
+                "The boundary layer is a friction line, made for slender bodies"
+                " along the flow: towed hulls have 1.10 to 1.18 of ITTC-57's,"
+                " form drag included. Separation and roughness are left out"
             );
             if (Re < 1e4)
             {
@@ -228,6 +333,11 @@ void Foam::freeSurfaceFlow::reportBoundaryLayer
             os  << "    layer       : wall functions of "
                 << turbulence_->type() << ", first cells at y+ of about "
                 << yPlus << nl;
+            remarks.append
+            (
+                "The boundary layer is that of " + turbulence_->type()
+              + " with wall functions: turbulent from its beginning on, smooth"
+            );
             if (yPlus < leastYPlus || yPlus > greatestYPlus)
             {
                 remarks.append

@@ -19,7 +19,16 @@ void Foam::freeSurfaceFlow::referenceScales
     length = cmptMax(box.span());
     speed = body_ ? mag(body_->velocity()) : gMax(mag(U_.primitiveField()));
     origin = body_ ? "of the body" : "of the domain and the initial flow";
-    if (speed < SMALL)
+    if
+    (
+        !body_
+     && scene_.boundaryLayer() != scene::boundaryLayerType::unstated
+    )
+    {
+        length = scalesOfWalls().length;
+        origin = "of the walls and the initial flow";
+    }
+    if (speed < Foam::sqrt(g*length))
     {
         speed = Foam::sqrt(g*length);
         origin += ", speed sqrt(g L)";

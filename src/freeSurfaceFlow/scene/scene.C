@@ -83,6 +83,25 @@ word simulationType(const fvMesh& mesh)
     return dict.get<word>("simulationType");
 }
 
+scene::boundaryLayerType boundaryLayerOf(const dictionary& dict)
+{
+    if (dict.isDict("boundaryLayer"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry boundaryLayer is a dictionary" << nl
+            << "Expected: one of "
+            << scene::boundaryLayerTypeNames.sortedToc()
+            << "; what a friction line takes is in frictionLineCoeffs."
+            << exit(FatalIOError);
+    }
+    return scene::boundaryLayerTypeNames.lookupOrDefault
+    (
+        "boundaryLayer",
+        dict,
+        scene::boundaryLayerType::unstated
+    );
+}
+
 } // End anonymous namespace
 
 
@@ -148,15 +167,7 @@ Foam::scene::scene(const fvMesh& mesh)
     meshMotion_(motionOf(mesh)),
     gravity_(dict_.lookupOrDefault<Switch>("gravity", true)),
     surfaceTension_(dict_.lookupOrDefault<Switch>("surfaceTension", true)),
-    boundaryLayer_
-    (
-        boundaryLayerTypeNames.lookupOrDefault
-        (
-            "boundaryLayer",
-            dict_,
-            boundaryLayerType::unstated
-        )
-    ),
+    boundaryLayer_(boundaryLayerOf(dict_)),
     simulationType_(simulationType(mesh)),
     interface_(dict_.lookupOrDefault<word>("interface", "MULES")),
     initialFlow_
@@ -241,6 +252,13 @@ Foam::scene::scene(const fvMesh& mesh)
 
 Foam::scalar Foam::scene::transitionReynolds() const
 {
+    if (dict_.found("frictionLineCoeffs") && !dict_.isDict("frictionLineCoeffs"))
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Entry frictionLineCoeffs is no dictionary" << nl
+            << "Expected: { transitionReynolds 5e5; patches (body); }, each"
+            << " optional." << exit(FatalIOError);
+    }
     const dictionary coeffs(dict_.subOrEmptyDict("frictionLineCoeffs"));
     for (const entry& e : coeffs)
     {
@@ -276,7 +294,7 @@ void Foam::scene::print(Ostream& os) const
         << ", boundary layer "
         << (
                boundaryLayer_ == boundaryLayerType::unstated
-             ? "unstated"
+             ? "not stated"
              : boundaryLayerTypeNames[boundaryLayer_].c_str()
            );
     if (turbulence())

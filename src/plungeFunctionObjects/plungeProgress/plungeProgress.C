@@ -69,7 +69,12 @@ bool Foam::functionObjects::plungeProgress::execute()
         << std::setprecision(3)
         << 100*(t - time_.startTime().value())
           /max(tEnd - time_.startTime().value(), VSMALL)
-        << " %), dt = " << 1e6*time_.deltaTValue() << " us";
+        << " %)";
+    if (pace_ > 0)
+    {
+        os  << ", left " << hoursMinutesSeconds((tEnd - t)/pace_);
+    }
+    os  << ", dt = " << 1e6*time_.deltaTValue() << " us";
     if (!trajectory_.empty())
     {
         os  << std::setprecision(4) << " | depth "
@@ -84,10 +89,6 @@ bool Foam::functionObjects::plungeProgress::execute()
     {
         os  << std::setprecision(3) << " | ledger "
             << getObjectResult<scalar>(volumeLedger_, "errorPercent") << " %";
-    }
-    if (pace_ > 0)
-    {
-        os  << " | left " << hoursMinutesSeconds((tEnd - t)/pace_);
     }
     Log << os.str().c_str() << endl;
 
