@@ -31,7 +31,7 @@ from plungeResults import (  # noqa: E402
     write_numbers,
     write_table,
 )
-from plungeUncertainty import COLUMNS, HEADLINES, Uncertainty, read_uncertainties, two_digits  # noqa: E402
+from plungeUncertainty import COLUMNS, CONDITIONS, HEADLINES, Uncertainty, read_uncertainties, two_digits  # noqa: E402
 
 
 # --- tables over restarts ------------------------------------------------------
@@ -229,7 +229,8 @@ def test_the_summary_holds_notes_beside_numbers(tmp_path):
 
 DIVE = {"fluids": "titan", "tier": "fast", "model": "half", "mesh": "overset", "resolution": "1", "boundaryLayer": "frictionLine",
         "transitionReynolds": "500000", "bodyLength": "1", "thicknessRatio": "0.1", "bodyMass": "2.85714285714", "speed": "25",
-        "pathAngle": "75"}
+        "pathAngle": "75", "application": "plungeFoam", "bodyMomentOfInertia": "(0.0027 0.11 0.11)", "centreOfMassFromNose": "0.38",
+        "gap": "0.01", "diveDuration": "0.045", "liquidDensity": "664", "liquidViscosity": "0.001014", "gasDensity": "5.353", "gravity": "1.35"}
 MEASURED = {"peak deceleration": ("50.05", "m/s2", "0.3", "0.4", "1.2", "1.3"),
             "velocity lost at full immersion": ("1.78", "m/s", "0.03", "0.01", "0.04", "0.051"),
             "full immersion time": ("0.036", "s", "3e-6", "4e-6", "0", "5e-6")}  # not the pitch: as where the study failed to measure it
@@ -249,7 +250,7 @@ def write_uncertainties(case: Path, *fluids: str) -> Path:
         out = csv.writer(file)
         out.writerow(COLUMNS)
         for name in fluids:
-            out.writerows([*{**DIVE, "fluids": name}.values(), quantity, *numbers, "abc123", "2026-11-30"]
+            out.writerows([*({**DIVE, "fluids": name}[condition] for condition in CONDITIONS), quantity, *numbers, "abc123", "2026-11-30"]
                           for quantity, numbers in MEASURED.items())
     return path
 
@@ -270,7 +271,7 @@ def test_no_uncertainty_is_taken_from_another_dive(tmp_path):
             "boundaryLayer frictionLine only, not for ")
     for change, ends in (({"tier": "fine"}, "tier fine."), ({"speed": "10", "bodyMass": "3"}, "bodyMass 3, speed 10."),
                          ({"fluids": "kraken"}, "fluids kraken; validation/diveUncertainty/Allrun -fluids kraken "
-                                                "measures it for tier fast.")):
+                                                "measures it for the default dive, tier fast.")):
         write_dive_parameters(tmp_path, **change)
         assert read_uncertainties(tmp_path) == ({}, only + ends)
 
@@ -279,7 +280,7 @@ def test_without_a_table_it_is_not_measured(tmp_path):
     assert read_uncertainties(tmp_path) == ({}, "Uncertainty: not measured.")
     write_dive_parameters(tmp_path)
     assert read_uncertainties(tmp_path)[1] == ("Uncertainty: not measured; validation/diveUncertainty/Allrun -fluids titan "
-                                               "measures it for tier fast.")
+                                               "measures it for the default dive, tier fast.")
 
 
 def test_a_damaged_table_is_named(tmp_path):
@@ -297,7 +298,7 @@ def test_a_number_has_as_many_decimals_as_its_uncertainty():
     parts = {"mesh": 0.1, "time step": 0.05, "boundary layer": 0.2}
     assert Uncertainty(0.2291, parts).text(25.0143, "m/s") == "25.01 m/s +- 0.23 (mesh 0.10, time step 0.050, boundary layer 0.20)"
     assert Uncertainty(5e-6, {"mesh": 0.0}).text(0.036, "ms", 1e3) == "36.0000 ms +- 0.0050 (mesh 0)"
-    assert [two_digits(u) for u in (0.0996, 1.25, 12.4, 1234.0, 0.0)] == [("0.10", 2), ("1.2", 1), ("12", 0), ("1234", 0), ("0", 3)]
+    assert [two_digits(u) for u in (0.0996, 1.25, 12.4, 1234.0, 0.0)] == [("0.10", 2), ("1.2", 1), ("12", 0), ("1200", 0), ("0", 3)]
 
 
 # --- the case's mesh -------------------------------------------------------------
