@@ -5,16 +5,12 @@ import csv
 import json
 import os
 import subprocess
-import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-TOOLS = Path(__file__).resolve().parents[2] / "applications/utilities/plungePost"
-sys.path.insert(0, str(TOOLS))
-
-from plungeResults import (  # noqa: E402
+from plunge.results import (
     TRAJECTORY_COLUMNS,
     CaseError,
     Scene,
@@ -31,7 +27,10 @@ from plungeResults import (  # noqa: E402
     write_numbers,
     write_table,
 )
-from plungeUncertainty import COLUMNS, HEADLINES, Uncertainty, read_uncertainties, two_digits  # noqa: E402
+from plunge.uncertainty import COLUMNS, HEADLINES, Uncertainty, read_uncertainties, two_digits
+
+TOOLS = Path(__file__).resolve().parents[2] / "applications/utilities/plungePost"
+
 
 
 # --- tables over restarts ------------------------------------------------------
@@ -174,7 +173,7 @@ def test_a_running_mean_is_the_change_of_speed_over_its_window():
 
 
 def test_force_along_the_path_is_positive_when_it_slows():
-    from plungeFigures import along_path
+    from plunge.figures import along_path
 
     table = {"vx_m_s": [3.0], "vy_m_s": [0.0], "vz_m_s": [-4.0], "Fpx_N": [0.0], "Fpy_N": [9.0], "Fpz_N": [10.0]}
     assert along_path({k: np.array(v) for k, v in table.items()}, "p") == pytest.approx([8.0])
@@ -409,7 +408,7 @@ def area(surface) -> float:
 
 @pytest.mark.parametrize("half", [False, True])
 def test_the_free_surface_is_there_exactly_once(half):
-    from plungeSurfaces import free_surface
+    from plunge.surfaces import free_surface
     from vtkmodules.util.numpy_support import vtk_to_numpy
 
     mesh, sides = composite(half)
@@ -428,7 +427,7 @@ def test_the_free_surface_is_there_exactly_once(half):
 
 
 def test_a_single_mesh_needs_no_overset_fields():
-    from plungeSurfaces import free_surface
+    from plunge.surfaces import free_surface
 
     mesh, _ = composite(False)
     for name in ("cellTypes", "zoneID"):
@@ -440,7 +439,7 @@ def test_a_single_mesh_needs_no_overset_fields():
 
 def test_hanging_nodes_do_not_move_the_surface():
     """One large cell of gas on eight small ones of liquid: the surface is the plane between them."""
-    from plungeSurfaces import free_surface
+    from plunge.surfaces import free_surface
     from vtkmodules.numpy_interface import dataset_adapter as dsa
     from vtkmodules.util.numpy_support import vtk_to_numpy
     from vtkmodules.vtkCommonCore import vtkIdList
@@ -476,7 +475,7 @@ def test_hanging_nodes_do_not_move_the_surface():
 
 def write_dive(folder: Path) -> None:
     """Flat liquid and a sphere that sinks into it."""
-    from plungeSurfaces import Series, free_surface
+    from plunge.surfaces import Series, free_surface
     from vtkmodules.vtkFiltersSources import vtkSphereSource
 
     mesh, sides = composite(False)
@@ -491,7 +490,7 @@ def write_dive(folder: Path) -> None:
 
 
 def test_the_series_is_what_paraview_expects(tmp_path):
-    from plungeSurfaces import read_series, read_surface
+    from plunge.surfaces import read_series, read_surface
 
     write_dive(tmp_path)
     series = json.loads((tmp_path / "body.vtp.series").read_text())
@@ -524,7 +523,7 @@ SPACING = 0.05
 
 def particle_dive(case: Path) -> Path:
     """A case as plungeSPH leaves it: a sphere that falls into particles below z = 0, which gain speed with time."""
-    from plungeSurfaces import Series
+    from plunge.surfaces import Series
     from vtkmodules.numpy_interface import dataset_adapter as dsa
     from vtkmodules.util.numpy_support import numpy_to_vtk
     from vtkmodules.vtkCommonCore import vtkPoints
@@ -565,8 +564,8 @@ def particle_dive(case: Path) -> Path:
 
 
 def test_the_slice_is_the_liquid_near_the_plane_of_symmetry(tmp_path):
-    from plungeParticles import Case, outlines
-    from plungeSurfaces import read_surface
+    from plunge.particles import Case, outlines
+    from plunge.surfaces import read_surface
 
     dive = Case(particle_dive(tmp_path), "body")
     points, speed = dive.slice(dive.particles[1][1])
@@ -636,7 +635,7 @@ def test_the_report_ends_with_the_answer_how_sure_it_is_and_what_was_left_out(tm
 
 
 def test_notes_on_the_figure_are_below_its_panels():
-    from plungeFigures import plt, trajectory_figure
+    from plunge.figures import plt, trajectory_figure
 
     table = constant_deceleration()
     tail = {"time_s": table["time_s"], "high_m": 1 - table["penetration_m"], "low_m": -table["penetration_m"]}

@@ -13,7 +13,6 @@ cost: CPU time of a step of the dive's beginning over that of one without a boun
 import argparse
 import csv
 import shutil
-import sys
 from concurrent.futures import ThreadPoolExecutor
 from math import log10, sqrt
 from pathlib import Path
@@ -22,16 +21,16 @@ from typing import Dict, List, Tuple
 import numpy as np
 from scipy.optimize import brentq
 
+from plunge.bodyGeometry import Body
+from plunge.foamDictionary import read
+from plunge.results import cell_count
+from plunge.studies.dives import finish, start
+from plunge.studies.fixedBody import SOLVER, Drag, forces, solve
+from plunge.studies.particleRuns import call, isComplete, override
+from plunge.studies.resultTable import Row, judge, limit, show, write
+from plunge.studies.solverLogs import readLog
+
 FOLDER = Path(__file__).resolve().parent
-sys.path[:0] = [str(FOLDER), str(FOLDER.parent)]
-from dives import finish, start  # noqa: E402
-from fixedBody import SOLVER, Drag, forces, solve  # noqa: E402
-from bodyGeometry import Body  # noqa: E402
-from foamDictionary import read  # noqa: E402
-from particleRuns import call, isComplete, override  # noqa: E402
-from plungeResults import cell_count  # noqa: E402
-from resultTable import Row, judge, limit, show, write  # noqa: E402
-from solverLogs import readLog  # noqa: E402
 
 DENSITY, WIDTH, HEIGHT = 664, 0.1, 0.6      # of the plate's liquid [kg/m3], of the plate and of its domain, over its length
 AT_DIVE, LAMINAR = 1.637e7, 1e5             # Reynolds numbers

@@ -6,18 +6,16 @@ interval in which the accelerometer was read.
 
 Judged: at a half-angle of 45 degrees the peak and its time, within two standard deviations of the trials; at each the history up
 to U0 t/h = 2, whose distance, rms, is a share of the largest mean that was measured until then."""
-import sys
 from pathlib import Path
-from typing import Dict, List, NamedTuple
+from typing import List, NamedTuple
 
 import matplotlib
 import numpy as np
 
-FOLDER = Path(__file__).resolve().parent
-sys.path.insert(0, str(FOLDER.parent))
-from particleRuns import cpuSeconds, runs, table  # noqa: E402
-from resultTable import Row, judge, limit, show, write  # noqa: E402
+from plunge.studies.particleRuns import cpuSeconds, runs, table
+from plunge.studies.resultTable import Row, judge, limit, show, write
 
+FOLDER = Path(__file__).resolve().parent
 FIGURE = FOLDER.parents[1] / "docs/figures/coneEntry.png"
 RADIUS, RHO, GRAVITY, DROP = 0.026, 997, 9.81, 0.5
 SPEED = np.sqrt(2*GRAVITY*DROP)

@@ -5,10 +5,10 @@ import subprocess
 import sys
 from pathlib import Path
 
-FOLDER = Path(__file__).resolve().parent
-sys.path.insert(0, str(FOLDER.parent))
-from particleRuns import REPOSITORY, solve  # noqa: E402
+from plunge.studies import REPOSITORY
+from plunge.studies.particleRuns import solve
 
+FOLDER = Path(__file__).resolve().parent
 DEFAULT = ("45:0.003", "45:0.002", "45:0.0013", "12:0.003")
 
 

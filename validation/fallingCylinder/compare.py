@@ -6,18 +6,16 @@ T is time over sqrt(D/g).
 
 Judged: the distance from the BEM, rms over its points, which another SPH's distance from it limits; and the distance from the
 experiment's six points, which the BEM's own limits, for these scatter: the second and third are deeper than in free fall."""
-import sys
 from pathlib import Path
 from typing import Dict, List, NamedTuple
 
 import matplotlib
 import numpy as np
 
-FOLDER = Path(__file__).resolve().parent
-sys.path.insert(0, str(FOLDER.parent))
-from particleRuns import cpuSeconds, runs, table  # noqa: E402
-from resultTable import Row, limit, show, write  # noqa: E402
+from plunge.studies.particleRuns import cpuSeconds, runs, table
+from plunge.studies.resultTable import Row, limit, show, write
 
+FOLDER = Path(__file__).resolve().parent
 FIGURE = FOLDER.parents[1] / "docs/figures/fallingCylinder.png"
 D, GRAVITY, SPEED = 0.11, 9.81, 2.955
 

@@ -5,18 +5,16 @@ runs. Time is that of the gate in both, not shifted.
 
 Judged: the peak at P1, mean of 10 ms, for the record has a value each 5 ms; the arrival, when P1 first passes 1 kPa; and the
 heights, whose difference is a share of the depth at the start, rms over the first 2 s."""
-import sys
 from pathlib import Path
 from typing import Dict, List
 
 import matplotlib
 import numpy as np
 
-FOLDER = Path(__file__).resolve().parent
-sys.path.insert(0, str(FOLDER.parent))
-from particleRuns import cpuSeconds, runs, table  # noqa: E402
-from resultTable import Row, judge, limit, show, write  # noqa: E402
+from plunge.studies.particleRuns import cpuSeconds, runs, table
+from plunge.studies.resultTable import Row, judge, limit, show, write
 
+FOLDER = Path(__file__).resolve().parent
 FIGURE = FOLDER.parents[1] / "docs/figures/kleefsman.png"
 STEP = 1e-3   # [s]
 END = 2.0     # [s]

@@ -11,19 +11,17 @@ rate of 20 kHz; the computed pressure is that of particles in the support of the
 Sound in the computed liquid is slower than in water by a factor of 44, and rings: the longest wave that stands in the depth H has a
 period of 4H/c0. So each figure is also given of the pressure's mean over that period. Of the twins (twin.py), which are not judged,
 the pressure is as it comes."""
-import sys
 from pathlib import Path
 from typing import Dict, List, NamedTuple
 
 import matplotlib
 import numpy as np
 
-FOLDER = Path(__file__).resolve().parent
-sys.path.insert(0, str(FOLDER.parent))
-import meshTwins  # noqa: E402
-from particleRuns import cpuSeconds, isComplete, runs, table  # noqa: E402
-from resultTable import Row, judge, least, show, write  # noqa: E402
+from plunge.studies import meshTwins
+from plunge.studies.particleRuns import cpuSeconds, isComplete, runs, table
+from plunge.studies.resultTable import Row, judge, least, show, write
 
+FOLDER = Path(__file__).resolve().parent
 FIGURE = FOLDER.parents[1] / "docs/figures/lobovsky.png"
 DEPTH, RHO, GRAVITY = 0.3, 1000, 9.81
 SENSORS = {"P1": "sensor 1, 3 mm", "P2": "sensor 2, 15 mm", "P3": "sensor 3, 30 mm", "P4": "sensor 4, 80 mm"}

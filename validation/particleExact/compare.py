@@ -3,18 +3,16 @@
 """plungeSPH against exact solutions, each at two spacings: vortices of Taylor and Green, a drop that is drawn out (Monaghan, J.
 Comput. Phys. 110 (1994) 399), a standing wave. They start from states that this script writes, since a dictionary has no fields.
 """
-import sys
 from pathlib import Path
 from typing import Dict, List, Tuple
 
 import numpy as np
 from scipy.integrate import solve_ivp
 
-FOLDER = Path(__file__).resolve().parent
-sys.path.insert(0, str(FOLDER.parent))
-import particleRuns  # noqa: E402
-from resultTable import Row, judge, show, write  # noqa: E402
+from plunge.studies import particleRuns
+from plunge.studies.resultTable import Row, judge, show, write
 
+FOLDER = Path(__file__).resolve().parent
 RHO, GRAVITY = 1000, 9.81
 
 

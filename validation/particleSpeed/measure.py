@@ -9,18 +9,16 @@ import os
 import re
 import shutil
 import subprocess
-import sys
 import tempfile
 from pathlib import Path
 from typing import Dict, List, NamedTuple
 
 import numpy as np
 
-FOLDER = Path(__file__).resolve().parent
-sys.path.insert(0, str(FOLDER.parent))
-from particleRuns import LOG, cpuSeconds, particles, series, setUp, solve  # noqa: E402
-from resultTable import Row, least, limit, show, write  # noqa: E402
+from plunge.studies.particleRuns import LOG, cpuSeconds, particles, series, setUp, solve
+from plunge.studies.resultTable import Row, least, limit, show, write
 
+FOLDER = Path(__file__).resolve().parent
 RUNS = FOLDER / "run"
 SPACING = 0.022             # 63000 particles of fluid
 H = 1.5*SPACING

@@ -20,13 +20,13 @@ from typing import Dict, List
 
 import matplotlib
 
-HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent))
-from dives import ROOT, WINDOW, Difference, Dive  # noqa: E402
-from plungeResults import CaseError, cell_count, cpu_seconds  # noqa: E402
-from resultTable import Row, limit, show, write  # noqa: E402
+from plunge.results import CaseError, cell_count, cpu_seconds
+from plunge.studies import REPOSITORY
+from plunge.studies.dives import WINDOW, Difference, Dive
+from plunge.studies.resultTable import Row, limit, show, write
 
-FIGURE = ROOT / "docs/figures/singleMeshTwin.png"
+HERE = Path(__file__).resolve().parent
+FIGURE = REPOSITORY / "docs/figures/singleMeshTwin.png"
 
 
 def compare(overset: Dive, single: Dive) -> List[Row]:

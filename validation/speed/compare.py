@@ -28,15 +28,15 @@ from typing import Dict, List, NamedTuple, Tuple
 import matplotlib
 import numpy as np
 
-HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent))
-from dives import AS_STOCK, ROOT, STOCK_STENCIL, WINDOW, Difference, Dive, finish, start  # noqa: E402
-from particleRuns import CONTROL, call, isComplete, override  # noqa: E402
-from plungeResults import CaseError, cell_count, cpu_seconds, solver_log  # noqa: E402
-from resultTable import Row, least, limit, show, write  # noqa: E402
-from solverLogs import Step, perStep, readLog  # noqa: E402
+from plunge.results import CaseError, cell_count, cpu_seconds, solver_log
+from plunge.studies import REPOSITORY
+from plunge.studies.dives import AS_STOCK, STOCK_STENCIL, WINDOW, Difference, Dive, finish, start
+from plunge.studies.particleRuns import CONTROL, call, isComplete, override
+from plunge.studies.resultTable import Row, least, limit, show, write
+from plunge.studies.solverLogs import Step, perStep, readLog
 
-FIGURE = ROOT / "docs/figures/speed.png"
+HERE = Path(__file__).resolve().parent
+FIGURE = REPOSITORY / "docs/figures/speed.png"
 RUNS = HERE / "run"
 REFERENCE = RUNS / "reference"
 STOCK = {

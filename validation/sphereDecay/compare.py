@@ -19,11 +19,10 @@ from typing import Dict, List, Tuple
 import matplotlib
 import numpy as np
 
-FOLDER = Path(__file__).resolve().parent
-sys.path.insert(0, str(FOLDER.parent))
-from particleRuns import call, isComplete  # noqa: E402
-from resultTable import Row, judge, show, write  # noqa: E402
+from plunge.studies.particleRuns import call, isComplete
+from plunge.studies.resultTable import Row, judge, show, write
 
+FOLDER = Path(__file__).resolve().parent
 FIGURE = FOLDER.parents[1] / "docs/figures/sphereDecay.png"
 RADIUS, MASS, HEIGHT = 5.0, 261.8e3, 1.0
 WEDGE = 5.0             # [deg]

@@ -13,10 +13,9 @@ from typing import Dict, List, NamedTuple, Sequence, Tuple
 
 import numpy as np
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-from foamFields import ComparisonError, readCells, times  # noqa: E402
-from resultTable import Row, show, write  # noqa: E402
-from solverLogs import perStep, readLog  # noqa: E402
+from plunge.studies.foamFields import ComparisonError, readCells, times
+from plunge.studies.resultTable import Row, show, write
+from plunge.studies.solverLogs import perStep, readLog
 
 PHASE = "alpha.water"
 HOLE = 2                # in the field cellTypes of an overset mesh

@@ -19,12 +19,13 @@ from pathlib import Path
 from typing import Callable, Dict, List, Optional, Tuple
 
 import matplotlib
+
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
+from plunge.studies.resultTable import Row, judge, limit, show, write
+
 HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent))
-from resultTable import Row, judge, limit, show, write  # noqa: E402
 
 STATE = ("x_N2", "x_CH4", "x_C2H6", "x_C3H8", "phase", "T_K", "p_Pa")
 TITANPOOL_PRESSURE = 147000  # Pa

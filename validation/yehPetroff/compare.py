@@ -6,19 +6,17 @@ When the gate opened is not known. So time is shifted for the computed force, me
 measured one does; the velocity counts from the arrival of the bore. Reference values are those of two digitisations of
 the measurement. Not judged: the noise, which is what a mean of 20 ms takes away while the force is steady; and the
 twins on walls that slip (twin.py)."""
-import sys
 from pathlib import Path
 from typing import Dict, List, NamedTuple
 
 import matplotlib
 import numpy as np
 
-FOLDER = Path(__file__).resolve().parent
-sys.path.insert(0, str(FOLDER.parent))
-import meshTwins  # noqa: E402
-from particleRuns import cpuSeconds, isComplete, runs, table  # noqa: E402
-from resultTable import Row, judge, show, write  # noqa: E402
+from plunge.studies import meshTwins
+from plunge.studies.particleRuns import cpuSeconds, isComplete, runs, table
+from plunge.studies.resultTable import Row, judge, show, write
 
+FOLDER = Path(__file__).resolve().parent
 FIGURE = FOLDER.parents[1] / "docs/figures/yehPetroff.png"
 STEP = 1e-3  # [s]
 RISE = 5     # [N]

@@ -11,7 +11,8 @@ from typing import Dict, List, Mapping, Sequence, Tuple
 
 import numpy as np
 
-REPOSITORY = Path(__file__).resolve().parent.parent
+from plunge.studies import REPOSITORY
+
 PROPERTIES, CONTROL = "constant/particleProperties", "system/controlDict"
 LOG = "log.plungeSPH"
 

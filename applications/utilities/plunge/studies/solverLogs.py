@@ -5,7 +5,8 @@ from pathlib import Path
 from typing import List, NamedTuple, Optional, Sequence
 
 import numpy as np
-from foamFields import ComparisonError
+
+from plunge.studies.foamFields import ComparisonError
 
 
 class Step(NamedTuple):

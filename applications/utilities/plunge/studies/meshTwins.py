@@ -10,7 +10,9 @@ from pathlib import Path
 from typing import Sequence, Tuple
 
 import numpy as np
-from particleRuns import CONTROL, REPOSITORY, call, isComplete, setEntry
+
+from plunge.studies import REPOSITORY
+from plunge.studies.particleRuns import CONTROL, call, isComplete, setEntry
 
 SOLVER = "plungeFoam"
 Box = Tuple[str, str, float]  # its least and its largest corner, and the share of water in its cells
