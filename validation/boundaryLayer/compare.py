@@ -11,7 +11,6 @@ slender body of revolution, 1 + 1.5 (d/l)^1.5 + 7 (d/l)^3 (Hoerner, Fluid-Dynami
 cost: CPU time of a step of the dive's beginning over that of one without a boundary layer on the same mesh.
 """
 import argparse
-import csv
 import shutil
 from concurrent.futures import ThreadPoolExecutor
 from math import log10, sqrt
@@ -28,6 +27,7 @@ from plunge.studies.dives import finish, start
 from plunge.studies.fixedBody import SOLVER, Drag, forces, solve
 from plunge.studies.particleRuns import call, isComplete, override
 from plunge.studies.resultTable import Row, judge, limit, show, write
+from plunge.studies.resultTable import read as readRows
 from plunge.studies.solverLogs import readLog
 
 FOLDER = Path(__file__).resolve().parent
@@ -40,8 +40,7 @@ TURNS = 3                                   # of what is timed: the median count
 
 def lines(reynolds: float) -> Dict[str, float]:
     """Mean friction coefficients of the reference's lines at a Reynolds number between its rows."""
-    with (FOLDER / "reference/frictionLines.csv").open() as file:
-        table = list(csv.DictReader(line for line in file if not line.startswith("#")))
+    table = readRows(FOLDER / "reference/frictionLines.csv")
     x = [log10(float(row["Re"])) for row in table]
     return {name: float(10**np.interp(log10(reynolds), x, [log10(float(row[name])) for row in table]))
             for name in table[0] if name != "Re"}

@@ -12,7 +12,8 @@ from typing import List, NamedTuple
 import matplotlib
 import numpy as np
 
-from plunge.studies.particleRuns import cpuSeconds, runs, table
+from plunge.results import cpu_seconds
+from plunge.studies.particleRuns import runs, table
 from plunge.studies.resultTable import Row, judge, limit, show, write
 
 FOLDER = Path(__file__).resolve().parent
@@ -82,7 +83,7 @@ def main() -> None:
         largest = float(experiment.C[(experiment.time > 0) & (experiment.time < END)].max())
         for spacing, run in runs(FOLDER / "run" / str(angle)):
             result = computed(run, angle, peak.mass)
-            cpu = cpuSeconds(run)
+            cpu = cpu_seconds(run)
             name = f"half-angle {angle} degrees, spacing {1000*spacing:.4g} mm: "
             axis.plot(*result, label=f"spacing {1000*spacing:.4g} mm")
             if angle == SLAMS:

@@ -19,11 +19,10 @@ import numpy as np
 from plunge.foamDictionary import read
 from plunge.results import (TRAJECTORY_COLUMNS, CaseError, cell_count, cpu_seconds, particle_counts,
                            read_numbers, read_table, running_mean, solver_log)
-from plunge.studies import REPOSITORY
 from plunge.studies.resultTable import Row, show, write
 
 HERE = Path(__file__).resolve().parent
-FIGURE = REPOSITORY / "docs/figures/crossCheck.png"
+FIGURE = HERE.parents[1] / "docs/figures/crossCheck.png"
 
 
 def figures(run: Path, window: float) -> Dict[str, Tuple[float, str]]:

@@ -10,7 +10,8 @@ from typing import List, NamedTuple
 
 import numpy as np
 
-from plunge.studies.particleRuns import cpuSeconds, particles, runs, series
+from plunge.results import cpu_seconds
+from plunge.studies.particleRuns import particles, runs, series
 from plunge.studies.resultTable import Row, judge, show, write
 
 FOLDER = Path(__file__).resolve().parent
@@ -50,7 +51,7 @@ def main() -> None:
     experiments = measured()
     for spacing, run in runs(FOLDER):
         front = computed(run, spacing)
-        cpu = cpuSeconds(run)
+        cpu = cpu_seconds(run)
         name = f"spacing {1000*spacing:g} mm: "
         for what, value, references in (
                 ("speed of the front over sqrt(2 g a), Z from 1.5 to 3.5", front.speed(), [e.speed() for e in experiments]),

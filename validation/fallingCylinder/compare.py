@@ -12,7 +12,8 @@ from typing import Dict, List, NamedTuple
 import matplotlib
 import numpy as np
 
-from plunge.studies.particleRuns import cpuSeconds, runs, table
+from plunge.results import cpu_seconds
+from plunge.studies.particleRuns import runs, table
 from plunge.studies.resultTable import Row, limit, show, write
 
 FOLDER = Path(__file__).resolve().parent
@@ -68,7 +69,7 @@ def main() -> None:
     BEM, experiment = references["BEM"], references["experiment"]
     for spacing, run in runs(FOLDER):
         result = results[spacing] = computed(run)
-        cpu = cpuSeconds(run)
+        cpu = cpu_seconds(run)
         name = f"spacing {1000*spacing:.4g} mm: "
         rows.append(limit(name + "penetration over D less that of the BEM, rms", result.distance(BEM), "-",
                           references["SPH"].distance(BEM), cpu))

@@ -17,8 +17,10 @@ from typing import Dict, List, NamedTuple
 import matplotlib
 import numpy as np
 
-from plunge.studies import meshTwins
-from plunge.studies.particleRuns import cpuSeconds, isComplete, runs, table
+from plunge.results import cpu_seconds, even_running_mean
+from plunge.studies.foamFields import numbers
+from plunge.studies.meshTwins import SOLVER
+from plunge.studies.particleRuns import isComplete, runs, table
 from plunge.studies.resultTable import Row, judge, least, show, write
 
 FOLDER = Path(__file__).resolve().parent
@@ -67,8 +69,8 @@ def twins() -> Dict[str, Pressures]:
     if isComplete(slipping):
         result["spacing 5 mm, walls that slip"] = computed(slipping)
     for name, label in TWINS.items():
-        if isComplete(FOLDER / "run" / name, meshTwins.SOLVER):
-            data = meshTwins.numbers(FOLDER / "run" / name / "postProcessing/probes/0/p")
+        if isComplete(FOLDER / "run" / name, SOLVER):
+            data = numbers(FOLDER / "run" / name / "postProcessing/probes/0/p")
             even = np.arange(data[0, 0], data[-1, 0], 1e-3)
             result[label] = aligned(even, {sensor: np.interp(even, data[:, 0], data[:, i + 1]) for i, sensor in enumerate(SENSORS)})
     return result
@@ -76,8 +78,7 @@ def twins() -> Dict[str, Pressures]:
 
 def quiet(result: Pressures) -> np.ndarray:
     """Pressure at sensor 2, mean over the time that it rings with."""
-    n = int(round(RINGING/(result.T[1] - result.T[0])))
-    return np.convolve(result.P["P2"], np.ones(n)/n, "same")
+    return even_running_mean(result.P["P2"], RINGING/(result.T[1] - result.T[0]))
 
 
 def noise(T: np.ndarray, P: np.ndarray) -> float:
@@ -125,7 +126,7 @@ def main() -> None:
         result = results[name] = computed(run)
         P = np.interp(T, result.T, result.P["P2"])
         mean = np.interp(T, result.T, quiet(result))
-        cpu = cpuSeconds(run)
+        cpu = cpu_seconds(run)
         name += ", sensor 2: "
         for until in (BEFORE_RETURN, 7.0):
             within = f"time inside the band of repeated runs, from the arrival to T = {until:g}"

@@ -15,7 +15,8 @@ from typing import Dict, List, NamedTuple
 
 import numpy as np
 
-from plunge.studies.particleRuns import LOG, cpuSeconds, particles, series, setUp, solve
+from plunge.results import cpu_seconds
+from plunge.studies.particleRuns import LOG, particles, series, setUp, solve
 from plunge.studies.resultTable import Row, least, limit, show, write
 
 FOLDER = Path(__file__).resolve().parent
@@ -129,7 +130,7 @@ def main() -> None:
     machine = limits(start)
     peer = pysph(start, machine["pairs"])
     rows: List[Row] = []
-    cpu = cpuSeconds(first)
+    cpu = cpu_seconds(first)
 
     def us(name: str, threads: int) -> float:
         return 1e6*rates[name, threads].cost()

@@ -21,12 +21,11 @@ from typing import Dict, List
 import matplotlib
 
 from plunge.results import CaseError, cell_count, cpu_seconds
-from plunge.studies import REPOSITORY
 from plunge.studies.dives import WINDOW, Difference, Dive
 from plunge.studies.resultTable import Row, limit, show, write
 
 HERE = Path(__file__).resolve().parent
-FIGURE = REPOSITORY / "docs/figures/singleMeshTwin.png"
+FIGURE = HERE.parents[1] / "docs/figures/singleMeshTwin.png"
 
 
 def compare(overset: Dive, single: Dive) -> List[Row]:

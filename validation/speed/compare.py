@@ -29,14 +29,13 @@ import matplotlib
 import numpy as np
 
 from plunge.results import CaseError, cell_count, cpu_seconds, solver_log
-from plunge.studies import REPOSITORY
 from plunge.studies.dives import AS_STOCK, STOCK_STENCIL, WINDOW, Difference, Dive, finish, start
 from plunge.studies.particleRuns import CONTROL, call, isComplete, override
 from plunge.studies.resultTable import Row, least, limit, show, write
 from plunge.studies.solverLogs import Step, perStep, readLog
 
 HERE = Path(__file__).resolve().parent
-FIGURE = REPOSITORY / "docs/figures/speed.png"
+FIGURE = HERE.parents[1] / "docs/figures/speed.png"
 RUNS = HERE / "run"
 REFERENCE = RUNS / "reference"
 STOCK = {

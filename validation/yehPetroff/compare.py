@@ -12,8 +12,10 @@ from typing import Dict, List, NamedTuple
 import matplotlib
 import numpy as np
 
-from plunge.studies import meshTwins
-from plunge.studies.particleRuns import cpuSeconds, isComplete, runs, table
+from plunge.results import cpu_seconds, even_running_mean
+from plunge.studies.foamFields import numbers
+from plunge.studies.meshTwins import SOLVER
+from plunge.studies.particleRuns import isComplete, runs, table
 from plunge.studies.resultTable import Row, judge, show, write
 
 FOLDER = Path(__file__).resolve().parent
@@ -32,9 +34,7 @@ class Series(NamedTuple):
     value: np.ndarray
 
     def mean(self, period: float) -> np.ndarray:
-        """Running mean, centred."""
-        n = max(1, int(round(period/STEP)))
-        return np.convolve(self.value, np.ones(n)/n, "same")
+        return even_running_mean(self.value, period/STEP)
 
     def during(self, interval) -> np.ndarray:
         return (self.time >= interval[0]) & (self.time <= interval[1])
@@ -75,8 +75,8 @@ def twins() -> Dict[str, Dict[str, Series]]:
     slipping, mesh = FOLDER / "run/slipParticles", FOLDER / "run/slip"
     if isComplete(slipping):
         result["spacing 15 mm, walls that slip"] = computed(slipping)
-    if isComplete(mesh, meshTwins.SOLVER):
-        force, velocity = (meshTwins.numbers(mesh / "postProcessing" / file) for file in ("force/0/force.dat", "upstream/0/U"))
+    if isComplete(mesh, SOLVER):
+        force, velocity = (numbers(mesh / "postProcessing" / file) for file in ("force/0/force.dat", "upstream/0/U"))
         result["plungeFoam, cells of 20 mm, walls that slip"] = aligned(evenly(force[:, 0], force[:, 1]),
                                                                         evenly(velocity[:, 0], velocity[:, 1]))
     return result
@@ -125,7 +125,7 @@ def main() -> None:
         name = f"spacing {1000*spacing:.4g} mm"
         result = results[name] = computed(run)
         of = found[spacing] = figures(result["force"])
-        cpu = cpuSeconds(run)
+        cpu = cpu_seconds(run)
         for what, key, unit, (value, share) in (("peak of the force, mean of 50 ms", "peak", "N", PEAK),
                                                 ("force, mean of 0.55 to 0.75 s", "plateau", "N", STEADY),
                                                 ("impulse, 0.33 to 1.30 s", "impulse", "N s", TOTAL)):

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The dive's body, fixed in a stream of the liquid without a surface: its drag in plungeFoam."""
-import re
 import shutil
 from pathlib import Path
 from typing import Any, Dict, NamedTuple, Sequence, Tuple
@@ -9,6 +8,7 @@ import numpy as np
 
 from plunge.foamDictionary import read
 from plunge.studies.dives import setUp
+from plunge.studies.foamFields import numbers
 from plunge.studies.particleRuns import CONTROL, call, isComplete, override
 
 SOLVER = "plungeFoam"
@@ -55,8 +55,7 @@ def prepare(run: Path, options: Sequence[str]) -> Dict[str, Any]:
 
 def forces(run: Path) -> Tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Times [s], and the forces of pressure and of friction at each [N]: the log of OpenFOAM's forces."""
-    with (run / "postProcessing/forces/0/force.dat").open() as file:
-        table = np.loadtxt(re.sub("[()]", " ", line) for line in file)
+    table = numbers(run / "postProcessing/forces/0/force.dat")
     return table[:, 0], table[:, 4:7], table[:, 7:10]
 
 
