@@ -12,10 +12,10 @@ import shutil
 from pathlib import Path
 from typing import Dict, List, Tuple
 
-import matplotlib
 import numpy as np
 
 from plunge.studies.particleRuns import call
+from plunge.studies.pictures import pyplot
 from plunge.studies.resultTable import Row, judge, show, write
 
 FOLDER = Path(__file__).resolve().parent
@@ -101,9 +101,6 @@ def ellipse(solver: str) -> np.ndarray:
 
 
 def draw(releases: Dict[Tuple[str, float], np.ndarray], ellipses: Dict[str, np.ndarray], exact: np.ndarray) -> None:
-    matplotlib.use("Agg")
-    from matplotlib import pyplot
-
     picture, (left, right) = pyplot.subplots(1, 2, figsize=(12, 4.5))
     for number, ratio in enumerate(RATIOS):
         for solver, style in zip(SOLVERS, ("-", ":")):

@@ -9,11 +9,11 @@ to U0 t/h = 2, whose distance, rms, is a share of the largest mean that was meas
 from pathlib import Path
 from typing import List, NamedTuple
 
-import matplotlib
 import numpy as np
 
 from plunge.results import cpu_seconds
 from plunge.studies.particleRuns import runs, table
+from plunge.studies.pictures import pyplot
 from plunge.studies.resultTable import Row, judge, limit, show, write
 
 FOLDER = Path(__file__).resolve().parent
@@ -71,9 +71,6 @@ def height(angle: int) -> float:
 
 
 def main() -> None:
-    matplotlib.use("Agg")
-    from matplotlib import pyplot
-
     rows: List[Row] = []
     angles = sorted((int(folder.name) for folder in (FOLDER / "run").iterdir()), reverse=True)
     picture, axes = pyplot.subplots(1, len(angles), figsize=(6*len(angles), 5), squeeze=False)

@@ -9,11 +9,11 @@ experiment's six points, which the BEM's own limits, for these scatter: the seco
 from pathlib import Path
 from typing import Dict, List, NamedTuple
 
-import matplotlib
 import numpy as np
 
 from plunge.results import cpu_seconds
 from plunge.studies.particleRuns import runs, table
+from plunge.studies.pictures import pyplot
 from plunge.studies.resultTable import Row, limit, show, write
 
 FOLDER = Path(__file__).resolve().parent
@@ -45,9 +45,6 @@ def computed(run: Path) -> Path2D:
 
 
 def draw(references: Dict[str, Path2D], results: Dict[float, Path2D]) -> None:
-    matplotlib.use("Agg")
-    from matplotlib import pyplot
-
     picture, axis = pyplot.subplots(figsize=(8, 5))
     for (name, path), style in zip(references.items(), ("k-", "0.6", "k--")):
         axis.plot(path.T, path.depth, *(("ko",) if name == "experiment" else (style,)), label={

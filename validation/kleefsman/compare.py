@@ -8,11 +8,11 @@ heights, whose difference is a share of the depth at the start, rms over the fir
 from pathlib import Path
 from typing import Dict, List
 
-import matplotlib
 import numpy as np
 
 from plunge.results import cpu_seconds, even_running_mean
 from plunge.studies.particleRuns import runs, table
+from plunge.studies.pictures import pyplot
 from plunge.studies.resultTable import Row, judge, limit, show, write
 
 FOLDER = Path(__file__).resolve().parent
@@ -55,9 +55,6 @@ def arrival(record: Record) -> float:
 
 
 def draw(experiment: Record, results: Dict[float, Record]) -> None:
-    matplotlib.use("Agg")
-    from matplotlib import pyplot
-
     picture, axes = pyplot.subplots(3, 2, figsize=(12, 11))
     for axis, name in zip(axes.flat, PRESSURES + HEIGHTS):
         axis.plot(experiment["time"], experiment[name], color="0.4", label="measured")

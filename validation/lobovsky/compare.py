@@ -14,13 +14,13 @@ the pressure is as it comes."""
 from pathlib import Path
 from typing import Dict, List, NamedTuple
 
-import matplotlib
 import numpy as np
 
 from plunge.results import cpu_seconds, even_running_mean
 from plunge.studies.foamFields import numbers
 from plunge.studies.meshTwins import SOLVER
 from plunge.studies.particleRuns import isComplete, runs, table
+from plunge.studies.pictures import pyplot
 from plunge.studies.resultTable import Row, judge, least, show, write
 
 FOLDER = Path(__file__).resolve().parent
@@ -87,9 +87,6 @@ def noise(T: np.ndarray, P: np.ndarray) -> float:
 
 
 def draw(results: Dict[str, Pressures], meshes: Dict[str, Pressures]) -> None:
-    matplotlib.use("Agg")
-    from matplotlib import pyplot
-
     picture, axes = pyplot.subplots(2, 2, figsize=(12, 8))
     for axis, (sensor, label) in zip(axes.flat, SENSORS.items()):
         data = reference(sensor)

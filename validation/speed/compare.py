@@ -25,12 +25,12 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Dict, List, NamedTuple, Tuple
 
-import matplotlib
 import numpy as np
 
 from plunge.results import CaseError, cell_count, cpu_seconds, solver_log
 from plunge.studies.dives import AS_STOCK, STOCK_STENCIL, WINDOW, Difference, Dive, finish, start
 from plunge.studies.particleRuns import CONTROL, call, isComplete, override
+from plunge.studies.pictures import pyplot
 from plunge.studies.resultTable import Row, least, limit, show, write
 from plunge.studies.solverLogs import Step, perStep, readLog
 
@@ -190,9 +190,6 @@ def floatingBody() -> List[Row]:
 
 
 def draw(dives: Dict[str, Dive], cost: Dict[str, float]) -> None:
-    matplotlib.use("Agg")
-    from matplotlib import pyplot
-
     picture, axes = pyplot.subplots(1, 3, figsize=(15, 4.5))
     for number, (name, dive) in enumerate(dives.items()):
         for axis, load in zip(axes, ("axial", "lateral")):

@@ -18,11 +18,7 @@ import sys
 from pathlib import Path
 from typing import Callable, Dict, List, Optional, Tuple
 
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402
-
+from plunge.studies.pictures import pyplot
 from plunge.studies.resultTable import Row, judge, limit, read, show, write
 from plunge.titanProperties import titanProperties
 
@@ -137,7 +133,7 @@ def speed_rows(run: Path) -> List[Row]:
 def speed_picture(run: Path, aga8_difference: float) -> None:
     """Error against time of one evaluation; AGA8's density differs by aga8_difference [-] from the direct model's."""
     rows = read(run / "speed.csv")
-    figure, axes = plt.subplots(figsize=(8, 5), layout="constrained")
+    figure, axes = pyplot.subplots(figsize=(8, 5), layout="constrained")
     for quantity, marker in (("density", "o"), ("viscosity", "s")):
         chosen = [row for row in rows if row["evaluation"].endswith(f"field of {quantity}")]
         for kind, colour in (("constant", "tab:green"), ("table", "tab:blue"), ("direct", "tab:red")):

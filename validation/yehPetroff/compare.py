@@ -9,13 +9,13 @@ twins on walls that slip (twin.py)."""
 from pathlib import Path
 from typing import Dict, List, NamedTuple
 
-import matplotlib
 import numpy as np
 
 from plunge.results import cpu_seconds, even_running_mean
 from plunge.studies.foamFields import numbers
 from plunge.studies.meshTwins import SOLVER
 from plunge.studies.particleRuns import isComplete, runs, table
+from plunge.studies.pictures import pyplot
 from plunge.studies.resultTable import Row, judge, show, write
 
 FOLDER = Path(__file__).resolve().parent
@@ -98,9 +98,6 @@ def short(measured: Series, velocity: Series) -> float:
 
 
 def draw(results: Dict[str, Dict[str, Series]]) -> None:
-    matplotlib.use("Agg")
-    from matplotlib import pyplot
-
     picture, axes = pyplot.subplots(2, 1, figsize=(8, 8))
     for axis, name, column, label in ((axes[0], "force", "Fx_N", "force on the column [N]"),
                                       (axes[1], "velocity", "Ux_m_s", "velocity at (0.814, 0.31, 0.026) m [m/s]")):
