@@ -15,7 +15,9 @@ from plunge.results import (
     CaseError,
     Scene,
     cell_count,
+    cpu_seconds,
     crossing,
+    even_running_mean,
     gather,
     key_numbers,
     patch_types,
@@ -30,7 +32,6 @@ from plunge.results import (
 from plunge.uncertainty import COLUMNS, HEADLINES, Uncertainty, read_uncertainties, two_digits
 
 TOOLS = Path(__file__).resolve().parents[2] / "applications/utilities/plungePost"
-
 
 
 # --- tables over restarts ------------------------------------------------------
@@ -172,6 +173,12 @@ def test_a_running_mean_is_the_change_of_speed_over_its_window():
     assert np.isfinite(mean).all()
 
 
+def test_a_running_mean_of_even_rows():
+    value = np.arange(20.0) ** 2
+    assert even_running_mean(value, 4.9)[2:-2] == pytest.approx(value[2:-2] + 2)
+    assert even_running_mean(value, 0.2) == pytest.approx(value)
+
+
 def test_force_along_the_path_is_positive_when_it_slows():
     from plunge.figures import along_path
 
@@ -214,6 +221,14 @@ def test_a_log_without_scene_and_no_log_have_no_notes(tmp_path):
     assert read_scene(tmp_path) == Scene()
     (tmp_path / "log.plungeSPH").unlink()
     assert read_scene(tmp_path) == Scene()
+
+
+def test_the_cpu_time_is_that_of_all_starts(tmp_path):
+    """Also where a start takes longer to its first step than the one before it took in all."""
+    steps = "Build  : OPENFOAM=1912\n" + "ExecutionTime = {} s  ClockTime = 9 s\n" * 2
+    for solver in ("plungeFoam", "plungeSPH"):
+        write_log(tmp_path, steps.format(1, 2) + steps.format(3, 4.5) + "Build  : OPENFOAM=1912\n" + steps.format(0.5, 1), solver)
+        assert cpu_seconds(tmp_path) == 2 + 4.5 + 1
 
 
 def test_the_summary_holds_notes_beside_numbers(tmp_path):
