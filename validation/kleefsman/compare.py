@@ -43,6 +43,7 @@ def computed(run: Path) -> Record:
 
 
 def mean(value: np.ndarray) -> np.ndarray:
+    """Running mean over MEAN, centred."""
     return even_running_mean(value, MEAN/STEP)
 
 

@@ -34,6 +34,7 @@ class Series(NamedTuple):
     value: np.ndarray
 
     def mean(self, period: float) -> np.ndarray:
+        """Running mean, centred."""
         return even_running_mean(self.value, period/STEP)
 
     def during(self, interval) -> np.ndarray:
