@@ -2,16 +2,12 @@
 """What all tests share: the repository, the environment of etc/bashrc, and the closing count."""
 import os
 import subprocess
-import sys
 from pathlib import Path
 from typing import Dict
 
 import pytest
 
 REPOSITORY = Path(__file__).resolve().parent.parent
-
-# Modules that validations share
-sys.path.insert(0, str(REPOSITORY / "validation"))
 
 
 def sourcedEnvironment(**variables: str) -> Dict[str, str]:

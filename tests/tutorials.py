@@ -5,13 +5,12 @@ import os
 import re
 import shutil
 import subprocess
-import sys
 from pathlib import Path
 from types import ModuleType
 from typing import Iterable, List
 
 from conftest import REPOSITORY
-from particleRuns import converge, setEntry  # noqa: F401: for tests
+from plunge.studies.particleRuns import converge, setEntry  # noqa: F401: for tests
 
 STOCK_TUTORIALS = REPOSITORY / "validation/stockTutorials"
 
@@ -20,9 +19,7 @@ def comparison(validation: Path) -> ModuleType:
     """The compare.py of a folder of validation/."""
     spec = importlib.util.spec_from_file_location(f"compare_{validation.name}", validation / "compare.py")
     module = importlib.util.module_from_spec(spec)
-    written, sys.dont_write_bytecode = sys.dont_write_bytecode, True
     spec.loader.exec_module(module)
-    sys.dont_write_bytecode = written
     return module
 
 

@@ -7,8 +7,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from addedMass import compare
-from tutorials import copy, foam, solve
+from conftest import REPOSITORY
+from tutorials import comparison, copy, foam, solve
+
+compare = comparison(REPOSITORY / "validation/addedMass")
 
 
 @pytest.mark.parametrize("ratio", (0.1, 10.0))

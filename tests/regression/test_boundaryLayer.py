@@ -8,9 +8,8 @@ import pytest
 
 from conftest import REPOSITORY
 from tutorials import comparison, foam, solve
-
-from foamFields import readCells, times
-from particleRuns import override
+from plunge.studies.foamFields import readCells, times
+from plunge.studies.particleRuns import override
 
 STUDY = REPOSITORY / "validation/boundaryLayer"
 study = comparison(STUDY)

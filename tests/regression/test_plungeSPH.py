@@ -16,9 +16,9 @@ import vtk
 from vtk.util.numpy_support import vtk_to_numpy
 
 from conftest import REPOSITORY
-from particleRuns import CONTROL, PROPERTIES, series, setUp as case
-from particleRuns import particles as readParticles
 from tutorials import checkRefused, copy, foam, setEntry
+from plunge.studies.particleRuns import CONTROL, PROPERTIES, series, setUp as case
+from plunge.studies.particleRuns import particles as readParticles
 
 WATER, GRAVITY = 1000, 9.81
 

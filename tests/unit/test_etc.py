@@ -170,7 +170,7 @@ def test_noHostIsNamed(repository: Path) -> None:
 def test_bashrcIsIdempotent() -> None:
     once = sourcedEnvironment()
     twice = sourcedEnvironment(**once)
-    for variable in ("PATH", "LD_LIBRARY_PATH", "WM_PROJECT_DIR", "WM_OPTIONS"):
+    for variable in ("PATH", "LD_LIBRARY_PATH", "PYTHONPATH", "WM_PROJECT_DIR", "WM_OPTIONS"):
         assert once[variable] == twice[variable]
     assert once["PATH"].split(":").count(once["PLUNGE_APPBIN"]) == 1
     assert once["PATH"].split(":")[0] == once["PLUNGE_APPBIN"]
@@ -180,6 +180,26 @@ def test_bashrcIsIdempotent() -> None:
 def test_bashrcKeepsTheListsOfTheUser() -> None:
     environment = sourcedEnvironment(LD_LIBRARY_PATH="/opt/a:/opt/b")
     assert environment["LD_LIBRARY_PATH"] == environment["PLUNGE_LIBBIN"] + ":/opt/a:/opt/b"
+
+
+def test_bashrcFindsThePackage(repository: Path, tmp_path: Path) -> None:
+    """From any directory: that of the checkout which was sourced last, before what the user has of his own."""
+    package = repository / "applications/utilities"
+    other = tmp_path / "another checkout"
+    shutil.copytree(repository / "etc", other / "etc")
+    (other / "applications/utilities/plunge").mkdir(parents=True)
+    (other / "applications/utilities/plunge/__init__.py").touch()
+    theirs = other / "applications/utilities"
+    show = "echo $PYTHONPATH; cd /; /usr/bin/python3 -c 'import plunge; print(plunge.__file__)'"
+    for own, sourced, path in (
+            (None, (repository,), [package]), ("", (repository,), [package]), ("/opt/a:/opt/b", (repository,), [package, "/opt/a", "/opt/b"]),
+            ("/opt/a", (other, repository, repository), [package, theirs, "/opt/a"]),
+            ("/opt/a", (repository, other, repository, other), [theirs, package, "/opt/a"])):
+        environment = {key: value for key, value in os.environ.items() if key != "PYTHONPATH"}
+        commands = "; ".join(f'. "{checkout}/etc/bashrc"' for checkout in sourced)
+        done = subprocess.run(["bash", "-euc", f"{commands}; {show}"], capture_output=True, text=True, cwd=tmp_path,
+                              env=environment if own is None else {**environment, "PYTHONPATH": own})
+        assert done.stdout.splitlines() == [":".join(map(str, path)), f"{path[0]}/plunge/__init__.py"], done.stderr
 
 
 def test_bashrcFromAnyDirectory(repository: Path, tmp_path: Path) -> None:

@@ -6,12 +6,13 @@ from math import inf, nan, sqrt
 from pathlib import Path
 
 import pytest
+
 from conftest import REPOSITORY
-from gridConvergence import gridConvergence, representativeSize
 from tutorials import comparison
+from plunge.studies.gridConvergence import gridConvergence, representativeSize
+from plunge.uncertainty import COLUMNS, HEADLINES, read_rows
 
 study = comparison(REPOSITORY / "validation/diveUncertainty")
-from plungeUncertainty import COLUMNS, HEADLINES, read_rows  # noqa: E402: its folder is on the path with the study
 
 
 def test_the_worked_example():
@@ -132,7 +133,8 @@ def test_the_table_keeps_other_fluids_and_leaves_out_what_is_unknown(tmp_path: P
     for fluids, mesh in (("titan", 3.0), ("water", 6.0), ("titan", 5.0)):
         parts = {name: study.Parts(mesh, 4.0, 0.0) for name in HEADLINES[:2]}
         parts[HEADLINES[2]] = study.Parts(nan, 1.0, 1.0)
-        study.writeTable(path, fluids, {name: fluids if name == "fluids" else "x" for name in study.conditions(tmp_path)}, numbers, parts)
+        study.writeTable(path, fluids, {name: fluids if name == "fluids" else "x" for name in study.conditions(tmp_path)}, numbers, parts,
+                         "abc123")
     rows = read_rows(path)
     assert list(rows[0]) == list(COLUMNS)
     assert [(row["fluids"], row["quantity"], row["mesh_uncertainty"]) for row in rows] == [
@@ -164,7 +166,7 @@ def test_the_study_from_finished_dives(tmp_path: Path, monkeypatch, capsys):
     monkeypatch.setattr(study, "CASE", case)
     monkeypatch.setattr(study, "solve", lambda run, fluids: None)
     monkeypatch.setattr(study, "software_version", lambda folder: "abc123")
-    monkeypatch.setattr("resultTable.software_version", lambda folder: "abc123")
+    monkeypatch.setattr("plunge.studies.resultTable.software_version", lambda folder: "abc123")
     monkeypatch.setattr("sys.argv", ["compare.py", "-fluids", "titan"])
     assert study.main() == 0
 

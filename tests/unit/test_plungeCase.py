@@ -3,23 +3,17 @@
 
 import shutil
 import subprocess
-import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from plunge import bodyMesh, bodySurface, boundaryLayer, diveParameters, foamDictionary
+from plunge.bodyGeometry import Body
+
 ROOT = Path(__file__).resolve().parents[2]
 TOOLS = ROOT / "applications/utilities/plungeCase"
 CASE = ROOT / "cases/gannetPlunge"
-sys.path.insert(0, str(TOOLS))
-
-import bodyMesh  # noqa: E402
-import boundaryLayer  # noqa: E402
-import bodySurface  # noqa: E402
-import diveParameters  # noqa: E402
-import foamDictionary  # noqa: E402
-from bodyGeometry import Body  # noqa: E402
 
 
 @pytest.fixture

@@ -5,21 +5,19 @@ import csv
 import json
 import os
 import subprocess
-import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-TOOLS = Path(__file__).resolve().parents[2] / "applications/utilities/plungePost"
-sys.path.insert(0, str(TOOLS))
-
-from plungeResults import (  # noqa: E402
+from plunge.results import (
     TRAJECTORY_COLUMNS,
     CaseError,
     Scene,
     cell_count,
+    cpu_seconds,
     crossing,
+    even_running_mean,
     gather,
     key_numbers,
     patch_types,
@@ -31,7 +29,9 @@ from plungeResults import (  # noqa: E402
     write_numbers,
     write_table,
 )
-from plungeUncertainty import COLUMNS, CONDITIONS, HEADLINES, Uncertainty, read_uncertainties, two_digits  # noqa: E402
+from plunge.uncertainty import COLUMNS, CONDITIONS, HEADLINES, Uncertainty, read_uncertainties, two_digits
+
+TOOLS = Path(__file__).resolve().parents[2] / "applications/utilities/plungePost"
 
 
 # --- tables over restarts ------------------------------------------------------
@@ -173,8 +173,14 @@ def test_a_running_mean_is_the_change_of_speed_over_its_window():
     assert np.isfinite(mean).all()
 
 
+def test_a_running_mean_of_even_rows():
+    value = np.arange(20.0) ** 2
+    assert even_running_mean(value, 4.9)[2:-2] == pytest.approx(value[2:-2] + 2)
+    assert even_running_mean(value, 0.2) == pytest.approx(value)
+
+
 def test_force_along_the_path_is_positive_when_it_slows():
-    from plungeFigures import along_path
+    from plunge.figures import along_path
 
     table = {"vx_m_s": [3.0], "vy_m_s": [0.0], "vz_m_s": [-4.0], "Fpx_N": [0.0], "Fpy_N": [9.0], "Fpz_N": [10.0]}
     assert along_path({k: np.array(v) for k, v in table.items()}, "p") == pytest.approx([8.0])
@@ -215,6 +221,14 @@ def test_a_log_without_scene_and_no_log_have_no_notes(tmp_path):
     assert read_scene(tmp_path) == Scene()
     (tmp_path / "log.plungeSPH").unlink()
     assert read_scene(tmp_path) == Scene()
+
+
+def test_the_cpu_time_is_that_of_all_starts(tmp_path):
+    """Also where a start takes longer to its first step than the one before it took in all."""
+    steps = "Build  : OPENFOAM=1912\n" + "ExecutionTime = {} s  ClockTime = 9 s\n" * 2
+    for solver in ("plungeFoam", "plungeSPH"):
+        write_log(tmp_path, steps.format(1, 2) + steps.format(3, 4.5) + "Build  : OPENFOAM=1912\n" + steps.format(0.5, 1), solver)
+        assert cpu_seconds(tmp_path) == 2 + 4.5 + 1
 
 
 def test_the_summary_holds_notes_beside_numbers(tmp_path):
@@ -410,7 +424,7 @@ def area(surface) -> float:
 
 @pytest.mark.parametrize("half", [False, True])
 def test_the_free_surface_is_there_exactly_once(half):
-    from plungeSurfaces import free_surface
+    from plunge.surfaces import free_surface
     from vtkmodules.util.numpy_support import vtk_to_numpy
 
     mesh, sides = composite(half)
@@ -429,7 +443,7 @@ def test_the_free_surface_is_there_exactly_once(half):
 
 
 def test_a_single_mesh_needs_no_overset_fields():
-    from plungeSurfaces import free_surface
+    from plunge.surfaces import free_surface
 
     mesh, _ = composite(False)
     for name in ("cellTypes", "zoneID"):
@@ -441,7 +455,7 @@ def test_a_single_mesh_needs_no_overset_fields():
 
 def test_hanging_nodes_do_not_move_the_surface():
     """One large cell of gas on eight small ones of liquid: the surface is the plane between them."""
-    from plungeSurfaces import free_surface
+    from plunge.surfaces import free_surface
     from vtkmodules.numpy_interface import dataset_adapter as dsa
     from vtkmodules.util.numpy_support import vtk_to_numpy
     from vtkmodules.vtkCommonCore import vtkIdList
@@ -477,7 +491,7 @@ def test_hanging_nodes_do_not_move_the_surface():
 
 def write_dive(folder: Path) -> None:
     """Flat liquid and a sphere that sinks into it."""
-    from plungeSurfaces import Series, free_surface
+    from plunge.surfaces import Series, free_surface
     from vtkmodules.vtkFiltersSources import vtkSphereSource
 
     mesh, sides = composite(False)
@@ -492,7 +506,7 @@ def write_dive(folder: Path) -> None:
 
 
 def test_the_series_is_what_paraview_expects(tmp_path):
-    from plungeSurfaces import read_series, read_surface
+    from plunge.surfaces import read_series, read_surface
 
     write_dive(tmp_path)
     series = json.loads((tmp_path / "body.vtp.series").read_text())
@@ -525,7 +539,7 @@ SPACING = 0.05
 
 def particle_dive(case: Path) -> Path:
     """A case as plungeSPH leaves it: a sphere that falls into particles below z = 0, which gain speed with time."""
-    from plungeSurfaces import Series
+    from plunge.surfaces import Series
     from vtkmodules.numpy_interface import dataset_adapter as dsa
     from vtkmodules.util.numpy_support import numpy_to_vtk
     from vtkmodules.vtkCommonCore import vtkPoints
@@ -566,8 +580,8 @@ def particle_dive(case: Path) -> Path:
 
 
 def test_the_slice_is_the_liquid_near_the_plane_of_symmetry(tmp_path):
-    from plungeParticles import Case, outlines
-    from plungeSurfaces import read_surface
+    from plunge.particles import Case, outlines
+    from plunge.surfaces import read_surface
 
     dive = Case(particle_dive(tmp_path), "body")
     points, speed = dive.slice(dive.particles[1][1])
@@ -637,7 +651,7 @@ def test_the_report_ends_with_the_answer_how_sure_it_is_and_what_was_left_out(tm
 
 
 def test_notes_on_the_figure_are_below_its_panels():
-    from plungeFigures import plt, trajectory_figure
+    from plunge.figures import plt, trajectory_figure
 
     table = constant_deceleration()
     tail = {"time_s": table["time_s"], "high_m": 1 - table["penetration_m"], "low_m": -table["penetration_m"]}

@@ -9,18 +9,16 @@ integrator addedMass and OpenFOAM's interFoam with Newmark, no relaxation: the s
 import math
 import re
 import shutil
-import sys
 from pathlib import Path
 from typing import Dict, List, Tuple
 
-import matplotlib
 import numpy as np
 
-FOLDER = Path(__file__).resolve().parent
-sys.path.insert(0, str(FOLDER.parent))
-from particleRuns import call  # noqa: E402
-from resultTable import Row, judge, show, write  # noqa: E402
+from plunge.studies.particleRuns import call
+from plunge.studies.pictures import pyplot
+from plunge.studies.resultTable import Row, judge, show, write
 
+FOLDER = Path(__file__).resolve().parent
 FIGURE = FOLDER.parents[1] / "docs/figures/addedMass.png"
 RATIOS = (0.01, 0.1, 1.0, 10.0)
 SOLVERS = {"plungeFoam": "addedMass", "interFoam": "Newmark"}
@@ -103,9 +101,6 @@ def ellipse(solver: str) -> np.ndarray:
 
 
 def draw(releases: Dict[Tuple[str, float], np.ndarray], ellipses: Dict[str, np.ndarray], exact: np.ndarray) -> None:
-    matplotlib.use("Agg")
-    from matplotlib import pyplot
-
     picture, (left, right) = pyplot.subplots(1, 2, figsize=(12, 4.5))
     for number, ratio in enumerate(RATIOS):
         for solver, style in zip(SOLVERS, ("-", ":")):

@@ -10,23 +10,18 @@ not represent the tip of the tail). Writes result.csv.
 
 from __future__ import annotations
 
-import sys
 import time
 from pathlib import Path
 from typing import Callable
 
 import numpy as np
 
+from plunge import bodyMesh, diveParameters
+from plunge.bodyGeometry import Body
+from plunge.studies import REPOSITORY
+from plunge.studies.resultTable import Row, show, write
+
 HERE = Path(__file__).resolve().parent
-ROOT = HERE.parents[1]
-sys.dont_write_bytecode = True
-sys.path[:0] = [str(ROOT / "applications" / "utilities" / "plungeCase"), str(HERE.parent)]
-
-import bodyMesh  # noqa: E402
-import diveParameters  # noqa: E402
-from bodyGeometry import Body  # noqa: E402
-from resultTable import Row, show, write  # noqa: E402
-
 SPEED = 25.0          # m/s
 INCIDENCES = (0, 5, 15)  # deg, of uniform flow
 LEAST_GAIN = 1.0      # of the time step where the flow crosses the axis
@@ -94,7 +89,7 @@ def uniform_flow(incidence: float) -> Flow:
 def main() -> None:
     start = time.process_time()
     rows = []
-    case = ROOT / "cases" / "gannetPlunge"
+    case = REPOSITORY / "cases/gannetPlunge"
     for tier, resolution in (("fast", 1), ("fast", 2), ("standard", 1)):
         dive = diveParameters.read(case, {"tier": tier, "resolution": resolution})
         body = Body(float(dive.given["body.length"]), dive.given["body.thicknessRatio"])

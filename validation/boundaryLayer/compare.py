@@ -11,9 +11,7 @@ slender body of revolution, 1 + 1.5 (d/l)^1.5 + 7 (d/l)^3 (Hoerner, Fluid-Dynami
 cost: CPU time of a step of the dive's beginning over that of one without a boundary layer on the same mesh.
 """
 import argparse
-import csv
 import shutil
-import sys
 from concurrent.futures import ThreadPoolExecutor
 from math import log10, sqrt
 from pathlib import Path
@@ -22,16 +20,17 @@ from typing import Dict, List, Tuple
 import numpy as np
 from scipy.optimize import brentq
 
+from plunge.bodyGeometry import Body
+from plunge.foamDictionary import read
+from plunge.results import cell_count
+from plunge.studies.dives import finish, start
+from plunge.studies.fixedBody import SOLVER, Drag, forces, solve
+from plunge.studies.particleRuns import call, isComplete, override
+from plunge.studies.resultTable import Row, judge, limit, show, write
+from plunge.studies.resultTable import read as readRows
+from plunge.studies.solverLogs import readLog
+
 FOLDER = Path(__file__).resolve().parent
-sys.path[:0] = [str(FOLDER), str(FOLDER.parent)]
-from dives import finish, start  # noqa: E402
-from fixedBody import SOLVER, Drag, forces, solve  # noqa: E402
-from bodyGeometry import Body  # noqa: E402
-from foamDictionary import read  # noqa: E402
-from particleRuns import call, isComplete, override  # noqa: E402
-from plungeResults import cell_count  # noqa: E402
-from resultTable import Row, judge, limit, show, write  # noqa: E402
-from solverLogs import readLog  # noqa: E402
 
 DENSITY, WIDTH, HEIGHT = 664, 0.1, 0.6      # of the plate's liquid [kg/m3], of the plate and of its domain, over its length
 AT_DIVE, LAMINAR = 1.637e7, 1e5             # Reynolds numbers
@@ -41,8 +40,7 @@ TURNS = 3                                   # of what is timed: the median count
 
 def lines(reynolds: float) -> Dict[str, float]:
     """Mean friction coefficients of the reference's lines at a Reynolds number between its rows."""
-    with (FOLDER / "reference/frictionLines.csv").open() as file:
-        table = list(csv.DictReader(line for line in file if not line.startswith("#")))
+    table = readRows(FOLDER / "reference/frictionLines.csv")
     x = [log10(float(row["Re"])) for row in table]
     return {name: float(10**np.interp(log10(reynolds), x, [log10(float(row[name])) for row in table]))
             for name in table[0] if name != "Re"}

@@ -4,89 +4,12 @@
 
     ./fixedBody.py RUN [OPTION OF plungeCase...]        e.g. run/thick -fluids water -set body.thicknessRatio=0.2
 """
-import re
-import shutil
 import sys
 from pathlib import Path
-from typing import Any, Dict, NamedTuple, Sequence, Tuple
 
-import numpy as np
-
-FOLDER = Path(__file__).resolve().parent
-sys.path.insert(0, str(FOLDER.parent))
-from dives import setUp  # noqa: E402
-from bodyGeometry import Body  # noqa: E402
-from foamDictionary import read  # noqa: E402
-from particleRuns import CONTROL, call, isComplete, override  # noqa: E402
-
-SOLVER = "plungeFoam"
-TRAVEL = 2      # of the stream, in body lengths: the layer is as long as the body after one
-MEAN = 0.25     # of these, the last over which forces are averaged
-
-
-class Drag(NamedTuple):
-    """Forces on the whole body along its axis [N]: of friction and of pressure, means over the end of the run; and the change of
-    their sum from the same time before it [%]."""
-    friction: float
-    form: float
-    drift: float
-
-
-def prepare(run: Path, options: Sequence[str]) -> Dict[str, Any]:
-    """Meshes and boundary conditions of a run of one body mesh, unless they are there. Entries of its plungeGenerated."""
-    made = setUp(run, ["-mesh", "single", "-np", "1", *options])
-    given = read(run / "system/plungeGenerated")
-    if not made:
-        return given
-
-    stream = np.negative(given["forward"])*given["speed"]
-    inflow = "({:.12g} {:.12g} {:.12g})".format(*stream)
-    override(run, "constant/dynamicMeshDict", "dynamicFvMesh staticFvMesh;")
-    override(run, "constant/sceneProperties",
-             "body none; meshMotion none; gravity off; surfaceTension off; initialFlow fields;")
-    length = given["bodyLength"]/given["speed"]
-    override(run, CONTROL, f"endTime {TRAVEL*length}; writeInterval {TRAVEL*length}; maxCo 2; maxAlphaCo 2; "
-             "#remove functions\nfunctions { forces { type forces; libs (forces); patches (body); rho rho; CofR (0 0 0); } }")
-    # One phase has no interface to solve for; a mesh that does not move suits GAMG
-    override(run, "system/fvSolution", 'PIMPLE { nCorrectors 2; } solvers { "alpha.liquid.*" { MULESCorr no; nAlphaCorr 1; cAlpha 0; } '
-             "p_rgh { solver GAMG; smoother DICGaussSeidel; } p_rghFinal { solver GAMG; smoother DICGaussSeidel; } }")
-    override(run, "0.orig/alpha.liquid", "internalField uniform 1; boundaryField { far { type fixedValue; value uniform 1; } }")
-    override(run, "0.orig/U", f"internalField uniform {inflow}; boundaryField {{ far {{ type freestreamVelocity; "
-             f"freestreamValue uniform {inflow}; value uniform {inflow}; }} }}")
-    override(run, "0.orig/p_rgh", "boundaryField { far { type freestreamPressure; freestreamValue uniform 0; value uniform 0; } }")
-    call(run, "plungeBodyMesh")
-    call(run, "gmshToFoam", "-keepOrientation", "body.msh")
-    call(run, "createPatch", "-overwrite")
-    shutil.copytree(run / "0.orig", run / "0")
-    return given
-
-
-def forces(run: Path) -> Tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Times [s], and the forces of pressure and of friction at each [N]: the log of OpenFOAM's forces."""
-    with (run / "postProcessing/forces/0/force.dat").open() as file:
-        table = np.loadtxt(re.sub("[()]", " ", line) for line in file)
-    return table[:, 0], table[:, 4:7], table[:, 7:10]
-
-
-def drag(run: Path, given: Dict[str, Any]) -> Drag:
-    """Of a finished run."""
-    time, pressure, viscous = forces(run)
-    axis, share = np.negative(given["forward"]), 1 if given["model"] == "full" else 2
-    late = time > time[-1]*(1 - MEAN/TRAVEL)
-    before = (time > time[-1]*(1 - 2*MEAN/TRAVEL)) & ~late
-    friction, form = share*viscous @ axis, share*pressure @ axis
-    total = friction + form
-    return Drag(float(np.mean(friction[late])), float(np.mean(form[late])),
-                float(100*(np.mean(total[late])/np.mean(total[before]) - 1)))
-
-
-def solve(run: Path, options: Sequence[str]) -> Drag:
-    """The drag of the body, by the options of plungeCase; a run that is complete stays."""
-    given = prepare(run, options)
-    if not isComplete(run, SOLVER):
-        print(f"Running in {run}", flush=True)
-        call(run, SOLVER)
-    return drag(run, given)
+from plunge.bodyGeometry import Body
+from plunge.foamDictionary import read
+from plunge.studies.fixedBody import solve
 
 
 def main() -> None:

@@ -6,18 +6,17 @@ interval in which the accelerometer was read.
 
 Judged: at a half-angle of 45 degrees the peak and its time, within two standard deviations of the trials; at each the history up
 to U0 t/h = 2, whose distance, rms, is a share of the largest mean that was measured until then."""
-import sys
 from pathlib import Path
-from typing import Dict, List, NamedTuple
+from typing import List, NamedTuple
 
-import matplotlib
 import numpy as np
 
-FOLDER = Path(__file__).resolve().parent
-sys.path.insert(0, str(FOLDER.parent))
-from particleRuns import cpuSeconds, runs, table  # noqa: E402
-from resultTable import Row, judge, limit, show, write  # noqa: E402
+from plunge.results import cpu_seconds
+from plunge.studies.particleRuns import runs, table
+from plunge.studies.pictures import pyplot
+from plunge.studies.resultTable import Row, judge, limit, show, write
 
+FOLDER = Path(__file__).resolve().parent
 FIGURE = FOLDER.parents[1] / "docs/figures/coneEntry.png"
 RADIUS, RHO, GRAVITY, DROP = 0.026, 997, 9.81, 0.5
 SPEED = np.sqrt(2*GRAVITY*DROP)
@@ -72,9 +71,6 @@ def height(angle: int) -> float:
 
 
 def main() -> None:
-    matplotlib.use("Agg")
-    from matplotlib import pyplot
-
     rows: List[Row] = []
     angles = sorted((int(folder.name) for folder in (FOLDER / "run").iterdir()), reverse=True)
     picture, axes = pyplot.subplots(1, len(angles), figsize=(6*len(angles), 5), squeeze=False)
@@ -84,7 +80,7 @@ def main() -> None:
         largest = float(experiment.C[(experiment.time > 0) & (experiment.time < END)].max())
         for spacing, run in runs(FOLDER / "run" / str(angle)):
             result = computed(run, angle, peak.mass)
-            cpu = cpuSeconds(run)
+            cpu = cpu_seconds(run)
             name = f"half-angle {angle} degrees, spacing {1000*spacing:.4g} mm: "
             axis.plot(*result, label=f"spacing {1000*spacing:.4g} mm")
             if angle == SLAMS:

@@ -16,16 +16,13 @@ from typing import Dict, List, Tuple
 
 import numpy as np
 
-HERE = Path(__file__).resolve().parent
-ROOT = HERE.parents[1]
-sys.path[:0] = [str(path) for path in (HERE.parent, ROOT / "applications/utilities/plungePost",
-                                       ROOT / "applications/utilities/plungeCase")]
-from foamDictionary import read  # noqa: E402
-from plungeResults import (TRAJECTORY_COLUMNS, CaseError, cell_count, cpu_seconds, particle_counts,  # noqa: E402
+from plunge.foamDictionary import read
+from plunge.results import (TRAJECTORY_COLUMNS, CaseError, cell_count, cpu_seconds, particle_counts,
                            read_numbers, read_table, running_mean, solver_log)
-from resultTable import Row, show, write  # noqa: E402
+from plunge.studies.resultTable import Row, show, write
 
-FIGURE = ROOT / "docs/figures/crossCheck.png"
+HERE = Path(__file__).resolve().parent
+FIGURE = HERE.parents[1] / "docs/figures/crossCheck.png"
 
 
 def figures(run: Path, window: float) -> Dict[str, Tuple[float, str]]:

@@ -5,17 +5,16 @@
 They saw the front from some width on, and their gate took time to open: so the speed is judged between Z = 1.5 and 3.5, in
 which neither shows, and the arrival at Z = 3, in which both do. Reference and tolerance are the mean and the difference of
 the two widths of the experiment."""
-import sys
 from pathlib import Path
 from typing import List, NamedTuple
 
 import numpy as np
 
-FOLDER = Path(__file__).resolve().parent
-sys.path.insert(0, str(FOLDER.parent))
-from particleRuns import cpuSeconds, particles, runs, series  # noqa: E402
-from resultTable import Row, judge, show, write  # noqa: E402
+from plunge.results import cpu_seconds
+from plunge.studies.particleRuns import particles, runs, series
+from plunge.studies.resultTable import Row, judge, show, write
 
+FOLDER = Path(__file__).resolve().parent
 WIDTH, GRAVITY = 0.15, 9.81
 
 
@@ -52,7 +51,7 @@ def main() -> None:
     experiments = measured()
     for spacing, run in runs(FOLDER):
         front = computed(run, spacing)
-        cpu = cpuSeconds(run)
+        cpu = cpu_seconds(run)
         name = f"spacing {1000*spacing:g} mm: "
         for what, value, references in (
                 ("speed of the front over sqrt(2 g a), Z from 1.5 to 3.5", front.speed(), [e.speed() for e in experiments]),

@@ -16,20 +16,18 @@ import re
 import shutil
 import signal
 import subprocess
-import sys
 from pathlib import Path
 from typing import List, Tuple
 
 import numpy as np
 
-FOLDER = Path(__file__).resolve().parent
-sys.path.insert(0, str(FOLDER.parent))
-from dives import CASE, setUp  # noqa: E402
-from foamFields import readCells, times  # noqa: E402
-from particleRuns import CONTROL, call, converge, override  # noqa: E402
-from plungeResults import gather  # noqa: E402
-from resultTable import Row, limit, show, write  # noqa: E402
+from plunge.results import gather
+from plunge.studies.dives import CASE, setUp
+from plunge.studies.foamFields import readCells, times
+from plunge.studies.particleRuns import CONTROL, call, converge, override
+from plunge.studies.resultTable import Row, limit, show, write
 
+FOLDER = Path(__file__).resolve().parent
 SOLVER = "plungeFoam"
 DURATION, FRAMES = 4e-3, 4          # [s]; of 25 m/s and a body of 1 m
 OPTIONS = ("-set", f"dive.travel={25*DURATION:g}", "-set", f"output.frames={FRAMES}")

@@ -5,7 +5,7 @@
 The uncertainty is that of the default dive, at resolution 1, in the number's own unit; its parts are
 
 - mesh: three meshes, in which all cells and the longest time step change by 1.5; the grid convergence index of Celik et al. (2008,
-  validation/gridConvergence.py) of the middle one, with the observed order held in [1, 2], between the order of the interface and
+  plunge.studies.gridConvergence) of the middle one, with the observed order held in [1, 2], between the order of the interface and
   that of the schemes. Where oscillation or a held order part the two pairs of meshes, the larger of what they say;
 - time step: twice the change when all limits of the time step are halved, Richardson's error of a scheme of first order;
 - boundary layer: half the range over a friction line that is turbulent from the nose, from Re = 5e5 and from 3e6 on, and wall functions,
@@ -25,15 +25,15 @@ from math import hypot, isfinite, nan
 from pathlib import Path
 from typing import Dict, List, NamedTuple, Sequence, Tuple
 
-HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent))
-from dives import CASE, finish, read, setUp, start  # noqa: E402
-from gridConvergence import gridConvergence  # noqa: E402
-from particleRuns import CONTROL, override  # noqa: E402
-from plungeResults import CaseError, Quantities, cell_count, cpu_seconds, read_numbers  # noqa: E402
-from plungeUncertainty import CAUSES, COLUMNS, HEADLINES, TABLE, conditions, read_rows  # noqa: E402
-from resultTable import Row, judge, show, software_version, write  # noqa: E402
+from plunge.foamDictionary import read
+from plunge.results import CaseError, Quantities, cell_count, cpu_seconds, read_numbers
+from plunge.studies.dives import CASE, finish, setUp, start
+from plunge.studies.gridConvergence import gridConvergence
+from plunge.studies.particleRuns import CONTROL, override
+from plunge.studies.resultTable import Row, judge, show, software_version, write
+from plunge.uncertainty import CAUSES, COLUMNS, HEADLINES, TABLE, conditions, read_rows
 
+HERE = Path(__file__).resolve().parent
 RUNS = HERE / "run"
 AT_ONCE = 2
 RATIO = 1.5     # of cell sizes from mesh to mesh

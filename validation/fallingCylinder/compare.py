@@ -6,18 +6,17 @@ T is time over sqrt(D/g).
 
 Judged: the distance from the BEM, rms over its points, which another SPH's distance from it limits; and the distance from the
 experiment's six points, which the BEM's own limits, for these scatter: the second and third are deeper than in free fall."""
-import sys
 from pathlib import Path
 from typing import Dict, List, NamedTuple
 
-import matplotlib
 import numpy as np
 
-FOLDER = Path(__file__).resolve().parent
-sys.path.insert(0, str(FOLDER.parent))
-from particleRuns import cpuSeconds, runs, table  # noqa: E402
-from resultTable import Row, limit, show, write  # noqa: E402
+from plunge.results import cpu_seconds
+from plunge.studies.particleRuns import runs, table
+from plunge.studies.pictures import pyplot
+from plunge.studies.resultTable import Row, limit, show, write
 
+FOLDER = Path(__file__).resolve().parent
 FIGURE = FOLDER.parents[1] / "docs/figures/fallingCylinder.png"
 D, GRAVITY, SPEED = 0.11, 9.81, 2.955
 
@@ -46,9 +45,6 @@ def computed(run: Path) -> Path2D:
 
 
 def draw(references: Dict[str, Path2D], results: Dict[float, Path2D]) -> None:
-    matplotlib.use("Agg")
-    from matplotlib import pyplot
-
     picture, axis = pyplot.subplots(figsize=(8, 5))
     for (name, path), style in zip(references.items(), ("k-", "0.6", "k--")):
         axis.plot(path.T, path.depth, *(("ko",) if name == "experiment" else (style,)), label={
@@ -70,7 +66,7 @@ def main() -> None:
     BEM, experiment = references["BEM"], references["experiment"]
     for spacing, run in runs(FOLDER):
         result = results[spacing] = computed(run)
-        cpu = cpuSeconds(run)
+        cpu = cpu_seconds(run)
         name = f"spacing {1000*spacing:.4g} mm: "
         rows.append(limit(name + "penetration over D less that of the BEM, rms", result.distance(BEM), "-",
                           references["SPH"].distance(BEM), cpu))

@@ -7,17 +7,15 @@ and of the orientation's nine numbers, over the whole table; the time step is th
 of the middle moment of inertia, which is unstable. A body that is thrown against g t^2/2 and its velocity.
 """
 import subprocess
-import sys
 import tempfile
 from pathlib import Path
 from typing import List
 
 import numpy as np
 
-FOLDER = Path(__file__).resolve().parent
-sys.path.insert(0, str(FOLDER.parent))
-from resultTable import Row, limit, show, write  # noqa: E402
+from plunge.studies.resultTable import Row, limit, show, write
 
+FOLDER = Path(__file__).resolve().parent
 INTEGRATORS = {"addedMass": "type addedMass; addedMass (0 0 0); addedInertia (0 0 0);", "symplectic": "type symplectic;",
                "Newmark": "type Newmark;", "CrankNicolson": "type CrankNicolson;"}
 STEP = 1e-4         # [s], of a dive

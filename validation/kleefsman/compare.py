@@ -5,20 +5,19 @@ runs. Time is that of the gate in both, not shifted.
 
 Judged: the peak at P1, mean of 10 ms, for the record has a value each 5 ms; the arrival, when P1 first passes 1 kPa; and the
 heights, whose difference is a share of the depth at the start, rms over the first 2 s."""
-import sys
 from pathlib import Path
 from typing import Dict, List
 
-import matplotlib
 import numpy as np
 
-FOLDER = Path(__file__).resolve().parent
-sys.path.insert(0, str(FOLDER.parent))
-from particleRuns import cpuSeconds, runs, table  # noqa: E402
-from resultTable import Row, judge, limit, show, write  # noqa: E402
+from plunge.results import cpu_seconds, even_running_mean
+from plunge.studies.particleRuns import runs, table
+from plunge.studies.pictures import pyplot
+from plunge.studies.resultTable import Row, judge, limit, show, write
 
+FOLDER = Path(__file__).resolve().parent
 FIGURE = FOLDER.parents[1] / "docs/figures/kleefsman.png"
-STEP = 1e-3   # [s]
+STEP, MEAN = 1e-3, 0.01  # of rows, and the time of means [s]
 END = 2.0     # [s]
 DEPTH = 0.55  # [m]
 ARRIVAL = 1e3  # [Pa]
@@ -43,14 +42,13 @@ def computed(run: Path) -> Record:
                                      **{name: gauges[f"{name}_m"] for name in HEIGHTS}})
 
 
-def mean(value: np.ndarray, period: float) -> np.ndarray:
-    """Running mean, centred."""
-    n = int(round(period/STEP))
-    return np.convolve(value, np.ones(n)/n, "same")
+def mean(value: np.ndarray) -> np.ndarray:
+    """Running mean over MEAN, centred."""
+    return even_running_mean(value, MEAN/STEP)
 
 
 def peak(record: Record, name: str) -> float:
-    return float(mean(record[name], 0.01).max())
+    return float(mean(record[name]).max())
 
 
 def arrival(record: Record) -> float:
@@ -58,14 +56,11 @@ def arrival(record: Record) -> float:
 
 
 def draw(experiment: Record, results: Dict[float, Record]) -> None:
-    matplotlib.use("Agg")
-    from matplotlib import pyplot
-
     picture, axes = pyplot.subplots(3, 2, figsize=(12, 11))
     for axis, name in zip(axes.flat, PRESSURES + HEIGHTS):
         axis.plot(experiment["time"], experiment[name], color="0.4", label="measured")
         for spacing, result in results.items():
-            axis.plot(result["time"], mean(result[name], 0.01), linewidth=0.8, label=f"spacing {1000*spacing:.4g} mm, mean of 10 ms")
+            axis.plot(result["time"], mean(result[name]), linewidth=0.8, label=f"spacing {1000*spacing:.4g} mm, mean of 10 ms")
         axis.set(title=name, xlabel="time [s]", ylabel="pressure [Pa]" if name in PRESSURES else "height [m]",
                  ylim=(-1000, 14000) if name in PRESSURES else (0, 0.7))
         axis.legend(fontsize="small")
@@ -80,7 +75,7 @@ def main() -> None:
     experiment = measured()
     for spacing, run in runs(FOLDER):
         result = results[spacing] = computed(run)
-        cpu = cpuSeconds(run)
+        cpu = cpu_seconds(run)
         name = f"spacing {1000*spacing:.4g} mm: "
         for sensor in PRESSURES:
             value = peak(experiment, sensor)

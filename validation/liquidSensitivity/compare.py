@@ -17,15 +17,13 @@ from typing import Dict, List
 
 import numpy as np
 
-HERE = Path(__file__).resolve().parent
-sys.path[:0] = [str(path) for path in (HERE, HERE.parent, HERE.parents[1] / "applications/utilities/plungePost",
-                                       HERE.parents[1] / "applications/utilities/plungeCase")]
-from bodyGeometry import Body  # noqa: E402
-from foamDictionary import read  # noqa: E402
-from makeCase import FACTORS, KRAKEN, PAPER  # noqa: E402
-from plungeResults import CaseError, cpu_seconds, gather, read_numbers  # noqa: E402
-from resultTable import Row, show, write  # noqa: E402
+from plunge.bodyGeometry import Body
+from plunge.foamDictionary import read
+from plunge.results import CaseError, cpu_seconds, gather, read_numbers
+from plunge.studies.resultTable import Row, show, write
+from makeCase import FACTORS, KRAKEN, PAPER
 
+HERE = Path(__file__).resolve().parent
 REPORTED = ("impact deceleration", "peak deceleration", "velocity lost at full immersion")
 
 

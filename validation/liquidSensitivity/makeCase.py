@@ -3,16 +3,13 @@
 """A copy of cases/gannetPlunge whose fluids are variants of the paper's: density, viscosity, the real Kraken."""
 import argparse
 import shutil
-import sys
 from pathlib import Path
 from typing import Dict
 
-HERE = Path(__file__).resolve().parent
-ROOT = HERE.parents[1]
-sys.path.insert(0, str(ROOT / "applications/utilities/plungeCase"))
-import diveParameters  # noqa: E402
+from plunge import diveParameters
+from plunge.studies import REPOSITORY
 
-DIVE = ROOT / "cases/gannetPlunge"
+DIVE = REPOSITORY / "cases/gannetPlunge"
 PAPER = "titan"  # in constant/plungeFluids
 KRAKEN = "kraken"
 

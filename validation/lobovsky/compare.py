@@ -11,19 +11,19 @@ rate of 20 kHz; the computed pressure is that of particles in the support of the
 Sound in the computed liquid is slower than in water by a factor of 44, and rings: the longest wave that stands in the depth H has a
 period of 4H/c0. So each figure is also given of the pressure's mean over that period. Of the twins (twin.py), which are not judged,
 the pressure is as it comes."""
-import sys
 from pathlib import Path
 from typing import Dict, List, NamedTuple
 
-import matplotlib
 import numpy as np
 
-FOLDER = Path(__file__).resolve().parent
-sys.path.insert(0, str(FOLDER.parent))
-import meshTwins  # noqa: E402
-from particleRuns import cpuSeconds, isComplete, runs, table  # noqa: E402
-from resultTable import Row, judge, least, show, write  # noqa: E402
+from plunge.results import cpu_seconds, even_running_mean
+from plunge.studies.foamFields import numbers
+from plunge.studies.meshTwins import SOLVER
+from plunge.studies.particleRuns import isComplete, runs, table
+from plunge.studies.pictures import pyplot
+from plunge.studies.resultTable import Row, judge, least, show, write
 
+FOLDER = Path(__file__).resolve().parent
 FIGURE = FOLDER.parents[1] / "docs/figures/lobovsky.png"
 DEPTH, RHO, GRAVITY = 0.3, 1000, 9.81
 SENSORS = {"P1": "sensor 1, 3 mm", "P2": "sensor 2, 15 mm", "P3": "sensor 3, 30 mm", "P4": "sensor 4, 80 mm"}
@@ -69,8 +69,8 @@ def twins() -> Dict[str, Pressures]:
     if isComplete(slipping):
         result["spacing 5 mm, walls that slip"] = computed(slipping)
     for name, label in TWINS.items():
-        if isComplete(FOLDER / "run" / name, meshTwins.SOLVER):
-            data = meshTwins.numbers(FOLDER / "run" / name / "postProcessing/probes/0/p")
+        if isComplete(FOLDER / "run" / name, SOLVER):
+            data = numbers(FOLDER / "run" / name / "postProcessing/probes/0/p")
             even = np.arange(data[0, 0], data[-1, 0], 1e-3)
             result[label] = aligned(even, {sensor: np.interp(even, data[:, 0], data[:, i + 1]) for i, sensor in enumerate(SENSORS)})
     return result
@@ -78,8 +78,7 @@ def twins() -> Dict[str, Pressures]:
 
 def quiet(result: Pressures) -> np.ndarray:
     """Pressure at sensor 2, mean over the time that it rings with."""
-    n = int(round(RINGING/(result.T[1] - result.T[0])))
-    return np.convolve(result.P["P2"], np.ones(n)/n, "same")
+    return even_running_mean(result.P["P2"], RINGING/(result.T[1] - result.T[0]))
 
 
 def noise(T: np.ndarray, P: np.ndarray) -> float:
@@ -88,9 +87,6 @@ def noise(T: np.ndarray, P: np.ndarray) -> float:
 
 
 def draw(results: Dict[str, Pressures], meshes: Dict[str, Pressures]) -> None:
-    matplotlib.use("Agg")
-    from matplotlib import pyplot
-
     picture, axes = pyplot.subplots(2, 2, figsize=(12, 8))
     for axis, (sensor, label) in zip(axes.flat, SENSORS.items()):
         data = reference(sensor)
@@ -127,7 +123,7 @@ def main() -> None:
         result = results[name] = computed(run)
         P = np.interp(T, result.T, result.P["P2"])
         mean = np.interp(T, result.T, quiet(result))
-        cpu = cpuSeconds(run)
+        cpu = cpu_seconds(run)
         name += ", sensor 2: "
         for until in (BEFORE_RETURN, 7.0):
             within = f"time inside the band of repeated runs, from the arrival to T = {until:g}"

@@ -4,11 +4,9 @@
 
 cases/damBreakParticles with their tank, 1.61 m long, and water 0.6 m long and 0.3 m deep. Probes at the height of their
 sensors, in the middle of the end wall."""
-import sys
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-from particleRuns import resolutions  # noqa: E402
+from plunge.studies.particleRuns import resolutions
 
 HEIGHTS = {"P1": 0.003, "P2": 0.015, "P3": 0.03, "P4": 0.08}
 ENTRIES = {

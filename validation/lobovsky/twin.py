@@ -3,15 +3,13 @@
 """What of the pressure is friction's? The same dam break in plungeFoam, twice: run/slip, whose walls slip, on cells of 10 mm, and
 run/boundaryLayer, with the true viscosity and cells of 0.5 mm at the floor and the end wall, which resolve the boundary layer;
 and with particles, on walls that slip, at a spacing of 5 mm: run/slipParticles."""
-import sys
 from pathlib import Path
 
-FOLDER = Path(__file__).resolve().parent
-sys.path.insert(0, str(FOLDER.parent))
-from meshTwins import solve  # noqa: E402
-from particleRuns import solveCase  # noqa: E402
-from run import CONTROL, ENTRIES, HEIGHTS  # noqa: E402
+from plunge.studies.meshTwins import solve
+from plunge.studies.particleRuns import solveCase
+from run import CONTROL, ENTRIES, HEIGHTS
 
+FOLDER = Path(__file__).resolve().parent
 LENGTH, TOP = 1.61, 0.9
 
 # Cells along and up, their grading, and the walls

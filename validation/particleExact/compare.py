@@ -3,18 +3,17 @@
 """plungeSPH against exact solutions, each at two spacings: vortices of Taylor and Green, a drop that is drawn out (Monaghan, J.
 Comput. Phys. 110 (1994) 399), a standing wave. They start from states that this script writes, since a dictionary has no fields.
 """
-import sys
 from pathlib import Path
 from typing import Dict, List, Tuple
 
 import numpy as np
 from scipy.integrate import solve_ivp
 
-FOLDER = Path(__file__).resolve().parent
-sys.path.insert(0, str(FOLDER.parent))
-import particleRuns  # noqa: E402
-from resultTable import Row, judge, show, write  # noqa: E402
+from plunge.results import cpu_seconds
+from plunge.studies import particleRuns
+from plunge.studies.resultTable import Row, judge, show, write
 
+FOLDER = Path(__file__).resolve().parent
 RHO, GRAVITY = 1000, 9.81
 
 
@@ -81,7 +80,7 @@ def TaylorGreen(n: int, ratio: float, Re: float) -> Tuple[float, float]:
                 {"smoothingLength": ratio, "viscosity": "laminar", "liquid/mu": RHO/Re, "densityDiffusion": "Molteni", "delta": 0.1,
                  "symmetry": planes((0, 0), (1, 1), "xy"), "outputs": f"{{ interval {0.02/rate}; }}"}, 1.5/rate, 1.5/rate)
     energy = particleRuns.table(run, "energy")
-    return -np.polyfit(energy["time_s"], np.log(energy["kinetic_J"]), 1)[0]/rate, particleRuns.cpuSeconds(run)
+    return -np.polyfit(energy["time_s"], np.log(energy["kinetic_J"]), 1)[0]/rate, cpu_seconds(run)
 
 
 def drop(n: int) -> Tuple[float, float, float, float]:
@@ -100,7 +99,7 @@ def drop(n: int) -> Tuple[float, float, float, float]:
     start = lattice((-1, -1), (2*n, 2*n), spacing)
     start = start[np.hypot(*start.T) < 1]
     axes = np.sqrt((x[:, :2]**2).mean(0)/(start**2).mean(0))
-    return axes[0]/exact, axes[1]*exact, np.abs(total/total[0] - 1).max(), particleRuns.cpuSeconds(run)
+    return axes[0]/exact, axes[1]*exact, np.abs(total/total[0] - 1).max(), cpu_seconds(run)
 
 
 def wave(n: int, nu: float) -> Tuple[float, float, float, float]:
@@ -133,7 +132,7 @@ def wave(n: int, nu: float) -> Tuple[float, float, float, float]:
     energy = particleRuns.table(run, "energy")
     total = energy["kinetic_J"] + energy["potential_J"] + energy["internal_J"]
     return (np.pi/np.polyfit(range(len(zeros)), zeros, 1)[0]/exact, -np.polyfit(0.5*(zeros[1:] + zeros[:-1]), np.log(peaks), 1)[0],
-            (total.max() - total[0])/energy["kinetic_J"][0], particleRuns.cpuSeconds(run))
+            (total.max() - total[0])/energy["kinetic_J"][0], cpu_seconds(run))
 
 
 def main() -> None:

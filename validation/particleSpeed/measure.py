@@ -9,18 +9,17 @@ import os
 import re
 import shutil
 import subprocess
-import sys
 import tempfile
 from pathlib import Path
 from typing import Dict, List, NamedTuple
 
 import numpy as np
 
-FOLDER = Path(__file__).resolve().parent
-sys.path.insert(0, str(FOLDER.parent))
-from particleRuns import LOG, cpuSeconds, particles, series, setUp, solve  # noqa: E402
-from resultTable import Row, least, limit, show, write  # noqa: E402
+from plunge.results import cpu_seconds
+from plunge.studies.particleRuns import LOG, particles, series, setUp, solve
+from plunge.studies.resultTable import Row, least, limit, show, write
 
+FOLDER = Path(__file__).resolve().parent
 RUNS = FOLDER / "run"
 SPACING = 0.022             # 63000 particles of fluid
 H = 1.5*SPACING
@@ -131,7 +130,7 @@ def main() -> None:
     machine = limits(start)
     peer = pysph(start, machine["pairs"])
     rows: List[Row] = []
-    cpu = cpuSeconds(first)
+    cpu = cpu_seconds(first)
 
     def us(name: str, threads: int) -> float:
         return 1e6*rates[name, threads].cost()

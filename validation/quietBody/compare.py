@@ -8,20 +8,18 @@ there is the buoyancy. What differs is noise of the overset mesh. It is given ov
 plungeFoam's stencil and for that of OpenFOAM that is the fastest.
 """
 import math
-import sys
 from pathlib import Path
 from typing import List
 
 import numpy as np
 
-FOLDER = Path(__file__).resolve().parent
-sys.path.insert(0, str(FOLDER.parent))
-from dives import STOCK_STENCIL, setUp  # noqa: E402
-from foamDictionary import read  # noqa: E402
-from particleRuns import CONTROL, call, isComplete, override, setEntry  # noqa: E402
-from plungeResults import gather  # noqa: E402
-from resultTable import Row, limit, show, write  # noqa: E402
+from plunge.foamDictionary import read
+from plunge.results import gather
+from plunge.studies.dives import STOCK_STENCIL, setUp
+from plunge.studies.particleRuns import CONTROL, call, isComplete, override, setEntry
+from plunge.studies.resultTable import Row, limit, show, write
 
+FOLDER = Path(__file__).resolve().parent
 STEPS, STEP = 60, 1e-4  # [-], [s]
 STENCILS = {"rigidZones": "method rigidZones;", "trackingInverseDistance": STOCK_STENCIL}
 SCENES = {"uniform flow": "(0 0 0)", "uniform flow under gravity": "(0 0 -1.35)"}

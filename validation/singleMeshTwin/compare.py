@@ -18,15 +18,13 @@ import sys
 from pathlib import Path
 from typing import Dict, List
 
-import matplotlib
+from plunge.results import CaseError, cell_count, cpu_seconds
+from plunge.studies.dives import WINDOW, Difference, Dive
+from plunge.studies.pictures import pyplot
+from plunge.studies.resultTable import Row, limit, show, write
 
 HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent))
-from dives import ROOT, WINDOW, Difference, Dive  # noqa: E402
-from plungeResults import CaseError, cell_count, cpu_seconds  # noqa: E402
-from resultTable import Row, limit, show, write  # noqa: E402
-
-FIGURE = ROOT / "docs/figures/singleMeshTwin.png"
+FIGURE = HERE.parents[1] / "docs/figures/singleMeshTwin.png"
 
 
 def compare(overset: Dive, single: Dive) -> List[Row]:
@@ -58,9 +56,6 @@ def compare(overset: Dive, single: Dive) -> List[Row]:
 
 
 def draw(dives: List[Dive]) -> None:
-    matplotlib.use("Agg")
-    from matplotlib import pyplot
-
     picture, axes = pyplot.subplots(1, 2, figsize=(12, 4.5))
     for number, dive in enumerate(dives):
         for axis, name in zip(axes, ("axial", "lateral")):

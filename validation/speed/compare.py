@@ -25,18 +25,17 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Dict, List, NamedTuple, Tuple
 
-import matplotlib
 import numpy as np
 
-HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent))
-from dives import AS_STOCK, ROOT, STOCK_STENCIL, WINDOW, Difference, Dive, finish, start  # noqa: E402
-from particleRuns import CONTROL, call, isComplete, override  # noqa: E402
-from plungeResults import CaseError, cell_count, cpu_seconds, solver_log  # noqa: E402
-from resultTable import Row, least, limit, show, write  # noqa: E402
-from solverLogs import Step, perStep, readLog  # noqa: E402
+from plunge.results import CaseError, cell_count, cpu_seconds, solver_log
+from plunge.studies.dives import AS_STOCK, STOCK_STENCIL, WINDOW, Difference, Dive, finish, start
+from plunge.studies.particleRuns import CONTROL, call, isComplete, override
+from plunge.studies.pictures import pyplot
+from plunge.studies.resultTable import Row, least, limit, show, write
+from plunge.studies.solverLogs import Step, perStep, readLog
 
-FIGURE = ROOT / "docs/figures/speed.png"
+HERE = Path(__file__).resolve().parent
+FIGURE = HERE.parents[1] / "docs/figures/speed.png"
 RUNS = HERE / "run"
 REFERENCE = RUNS / "reference"
 STOCK = {
@@ -191,9 +190,6 @@ def floatingBody() -> List[Row]:
 
 
 def draw(dives: Dict[str, Dive], cost: Dict[str, float]) -> None:
-    matplotlib.use("Agg")
-    from matplotlib import pyplot
-
     picture, axes = pyplot.subplots(1, 3, figsize=(15, 4.5))
     for number, (name, dive) in enumerate(dives.items()):
         for axis, load in zip(axes, ("axial", "lateral")):

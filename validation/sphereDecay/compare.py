@@ -16,14 +16,13 @@ import sys
 from pathlib import Path
 from typing import Dict, List, Tuple
 
-import matplotlib
 import numpy as np
 
-FOLDER = Path(__file__).resolve().parent
-sys.path.insert(0, str(FOLDER.parent))
-from particleRuns import call, isComplete  # noqa: E402
-from resultTable import Row, judge, show, write  # noqa: E402
+from plunge.studies.particleRuns import call, isComplete
+from plunge.studies.pictures import pyplot
+from plunge.studies.resultTable import Row, judge, show, write
 
+FOLDER = Path(__file__).resolve().parent
 FIGURE = FOLDER.parents[1] / "docs/figures/sphereDecay.png"
 RADIUS, MASS, HEIGHT = 5.0, 261.8e3, 1.0
 WEDGE = 5.0             # [deg]
@@ -143,9 +142,6 @@ def main() -> None:
                        Row("codes of the reference: period, largest", float(period.max()), "s"),
                        Row("codes of the reference: logarithmic decrement, least", float(decrement.min()), "1"),
                        Row("codes of the reference: logarithmic decrement, largest", float(decrement.max()), "1")]
-    matplotlib.use("Agg")
-    from matplotlib import pyplot
-
     picture, axes = pyplot.subplots(figsize=(8, 4.5))
     for i, code in enumerate(codes):
         axes.plot(table[:, 0], table[:, i + 1], color="0.6", linewidth=0.8, label="six codes of IEA OES Task 10" if i == 0 else None)

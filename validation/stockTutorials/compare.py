@@ -6,17 +6,16 @@ Run directories hold ascii fields, a `forces` function object named bodyForces (
 `postProcess -func writeCellVolumes`, and the solver's output in log.solver.
 """
 import argparse
-import re
 import sys
 from pathlib import Path
 from typing import Dict, List, NamedTuple, Sequence, Tuple
 
 import numpy as np
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-from foamFields import ComparisonError, readCells, times  # noqa: E402
-from resultTable import Row, show, write  # noqa: E402
-from solverLogs import perStep, readLog  # noqa: E402
+from plunge.results import CaseError
+from plunge.studies.foamFields import numbers, readCells, times
+from plunge.studies.resultTable import Row, show, write
+from plunge.studies.solverLogs import perStep, readLog
 
 PHASE = "alpha.water"
 HOLE = 2                # in the field cellTypes of an overset mesh
@@ -30,7 +29,7 @@ def interfaceDifference(run: Path, reference: Path, time: str) -> float:
     if (reference / time / "cellTypes").exists():
         volume = volume*(readCells(reference / time / "cellTypes").ravel() != HOLE)
     if not a.size == b.size == volume.size:
-        raise ComparisonError(f"{run}, {reference}: {a.size}, {b.size} cells and {volume.size} volumes at {time}: expected the same mesh")
+        raise CaseError(f"{run}, {reference}: {a.size}, {b.size} cells and {volume.size} volumes at {time}: expected the same mesh")
     return float(np.sum(np.abs(a - b)*volume)/np.sum(b*volume))
 
 
@@ -38,11 +37,9 @@ def readForces(run: Path) -> Tuple[np.ndarray, np.ndarray]:
     """Times [s] and total force [N] of the function object bodyForces."""
     paths = sorted(run.glob("postProcessing/bodyForces/*/force.dat"), key=lambda path: float(path.parent.name))
     if not paths:
-        raise ComparisonError(f"{run}: expected postProcessing/bodyForces/*/force.dat")
-    rows = [re.sub(r"[()]", " ", line).split()[:4] for path in paths for line in path.read_text().splitlines()
-            if not line.startswith("#")]
-    table = np.array(rows, dtype=float)
-    return table[:, 0], table[:, 1:]
+        raise CaseError(f"{run}: expected postProcessing/bodyForces/*/force.dat")
+    table = numbers(*paths)
+    return table[:, 0], table[:, 1:4]
 
 
 def resample(time: np.ndarray, values: np.ndarray, at: np.ndarray) -> np.ndarray:
@@ -76,7 +73,7 @@ def motionDifference(run: Path, reference: Path) -> Motion:
     """Compares the motion of the body over the run; the reference's own is counted from its first step."""
     ours, theirs = (readLog(case / "log.solver") for case in (run, reference))
     if any(step.centre is None for step in ours + theirs):
-        raise ComparisonError(f"{run}, {reference}: expected 'report on' in constant/dynamicMeshDict")
+        raise CaseError(f"{run}, {reference}: expected 'report on' in constant/dynamicMeshDict")
     at = np.array([step.time for step in theirs])
     stacked = {name: [np.stack([getattr(step, name) for step in steps]) for steps in (ours, theirs)] for name in ("centre", "orientation")}
     time = np.array([step.time for step in ours])
@@ -99,7 +96,7 @@ def rows(name: str, runs: Sequence[Path], references: Sequence[Path]) -> List[Ro
     cpu = readLog(run / "log.solver")[-1].cpu
     compared = times(reference)
     if not compared or compared != times(run):
-        raise ComparisonError(f"{run}: times {times(run)}: expected those of {reference}, {compared}")
+        raise CaseError(f"{run}: times {times(run)}: expected those of {reference}, {compared}")
 
     def row(quantity: str, value: float, unit: str, expected: float, tolerance: float) -> Row:
         holds = "yes" if value <= expected + tolerance else "no"
@@ -132,7 +129,7 @@ def main() -> int:
         for solver in ("plungeFoam", "stock"):
             found[solver] = sorted(log.parent for log in (arguments.directory / case).glob(f"{solver}.*/**/log.solver"))
             if not found[solver]:
-                raise ComparisonError(f"{arguments.directory / case}: expected {solver}.*/log.solver")
+                raise CaseError(f"{arguments.directory / case}: expected {solver}.*/log.solver")
         table += rows(case, found["plungeFoam"], found["stock"])
 
     # Cases that were not run again keep their rows.
@@ -144,5 +141,5 @@ def main() -> int:
 if __name__ == "__main__":
     try:
         sys.exit(main())
-    except ComparisonError as error:
+    except CaseError as error:
         sys.exit(f"compare.py: {error}")

@@ -18,13 +18,11 @@ import sys
 from pathlib import Path
 from typing import Callable, Dict, List, Optional, Tuple
 
-import matplotlib
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402
+from plunge.studies.pictures import pyplot
+from plunge.studies.resultTable import Row, judge, limit, read, show, write
+from plunge.titanProperties import titanProperties
 
 HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent))
-from resultTable import Row, judge, limit, show, write  # noqa: E402
 
 STATE = ("x_N2", "x_CH4", "x_C2H6", "x_C3H8", "phase", "T_K", "p_Pa")
 TITANPOOL_PRESSURE = 147000  # Pa
@@ -33,12 +31,6 @@ GERG_SOLUBILITY = 0.0388     # of nitrogen in ethane at 92 K and 150 kPa
 # Public timings [us]: AGA8's GERG-2008 (C++, 3bdb9ab8) for density and properties of a ternary, CoolProp 7.2.0 for a
 # mixture at (T, p) and for a bubble point
 AGA8_WARM, AGA8_COLD, COOLPROP_STATE, COOLPROP_BUBBLE = 3.4, 6.2, 164.0, 5000.0
-
-
-def read(path: Path) -> List[Dict[str, str]]:
-    """Rows of a .csv file; lines that begin with # are comments."""
-    with path.open(newline="") as file:
-        return list(csv.DictReader(line for line in file if not line.startswith("#")))
 
 
 def evaluate(states: List[Dict[str, str]], run: Path, name: str) -> List[Dict[str, str]]:
@@ -115,9 +107,7 @@ def titanpool_rows(run: Path) -> List[Row]:
 
 def nitrogen(alkanes: str, T: str, p: float) -> Dict[float, float]:
     """Mole fraction of nitrogen that titanProperties dissolves in alkanes at p [Pa], by temperature [K]; T: one or a range."""
-    answer = subprocess.run(["titanProperties", "-saturate", alkanes, "-T", T, "-p", f"{p:g}", "-format", "csv", "-noWarnings"],
-                            check=True, stdout=subprocess.PIPE, text=True).stdout
-    return {float(row["T_K"]): float(row["x_N2"]) for row in csv.DictReader(answer.splitlines())}
+    return {float(row["T_K"]): float(row["x_N2"]) for row in titanProperties("-saturate", alkanes, "-T", T, "-p", f"{p:g}")}
 
 
 def speed_rows(run: Path) -> List[Row]:
@@ -143,7 +133,7 @@ def speed_rows(run: Path) -> List[Row]:
 def speed_picture(run: Path, aga8_difference: float) -> None:
     """Error against time of one evaluation; AGA8's density differs by aga8_difference [-] from the direct model's."""
     rows = read(run / "speed.csv")
-    figure, axes = plt.subplots(figsize=(8, 5), layout="constrained")
+    figure, axes = pyplot.subplots(figsize=(8, 5), layout="constrained")
     for quantity, marker in (("density", "o"), ("viscosity", "s")):
         chosen = [row for row in rows if row["evaluation"].endswith(f"field of {quantity}")]
         for kind, colour in (("constant", "tab:green"), ("table", "tab:blue"), ("direct", "tab:red")):

@@ -6,19 +6,19 @@ When the gate opened is not known. So time is shifted for the computed force, me
 measured one does; the velocity counts from the arrival of the bore. Reference values are those of two digitisations of
 the measurement. Not judged: the noise, which is what a mean of 20 ms takes away while the force is steady; and the
 twins on walls that slip (twin.py)."""
-import sys
 from pathlib import Path
 from typing import Dict, List, NamedTuple
 
-import matplotlib
 import numpy as np
 
-FOLDER = Path(__file__).resolve().parent
-sys.path.insert(0, str(FOLDER.parent))
-import meshTwins  # noqa: E402
-from particleRuns import cpuSeconds, isComplete, runs, table  # noqa: E402
-from resultTable import Row, judge, show, write  # noqa: E402
+from plunge.results import cpu_seconds, even_running_mean
+from plunge.studies.foamFields import numbers
+from plunge.studies.meshTwins import SOLVER
+from plunge.studies.particleRuns import isComplete, runs, table
+from plunge.studies.pictures import pyplot
+from plunge.studies.resultTable import Row, judge, show, write
 
+FOLDER = Path(__file__).resolve().parent
 FIGURE = FOLDER.parents[1] / "docs/figures/yehPetroff.png"
 STEP = 1e-3  # [s]
 RISE = 5     # [N]
@@ -35,8 +35,7 @@ class Series(NamedTuple):
 
     def mean(self, period: float) -> np.ndarray:
         """Running mean, centred."""
-        n = max(1, int(round(period/STEP)))
-        return np.convolve(self.value, np.ones(n)/n, "same")
+        return even_running_mean(self.value, period/STEP)
 
     def during(self, interval) -> np.ndarray:
         return (self.time >= interval[0]) & (self.time <= interval[1])
@@ -77,8 +76,8 @@ def twins() -> Dict[str, Dict[str, Series]]:
     slipping, mesh = FOLDER / "run/slipParticles", FOLDER / "run/slip"
     if isComplete(slipping):
         result["spacing 15 mm, walls that slip"] = computed(slipping)
-    if isComplete(mesh, meshTwins.SOLVER):
-        force, velocity = (meshTwins.numbers(mesh / "postProcessing" / file) for file in ("force/0/force.dat", "upstream/0/U"))
+    if isComplete(mesh, SOLVER):
+        force, velocity = (numbers(mesh / "postProcessing" / file) for file in ("force/0/force.dat", "upstream/0/U"))
         result["plungeFoam, cells of 20 mm, walls that slip"] = aligned(evenly(force[:, 0], force[:, 1]),
                                                                         evenly(velocity[:, 0], velocity[:, 1]))
     return result
@@ -100,9 +99,6 @@ def short(measured: Series, velocity: Series) -> float:
 
 
 def draw(results: Dict[str, Dict[str, Series]]) -> None:
-    matplotlib.use("Agg")
-    from matplotlib import pyplot
-
     picture, axes = pyplot.subplots(2, 1, figsize=(8, 8))
     for axis, name, column, label in ((axes[0], "force", "Fx_N", "force on the column [N]"),
                                       (axes[1], "velocity", "Ux_m_s", "velocity at (0.814, 0.31, 0.026) m [m/s]")):
@@ -127,7 +123,7 @@ def main() -> None:
         name = f"spacing {1000*spacing:.4g} mm"
         result = results[name] = computed(run)
         of = found[spacing] = figures(result["force"])
-        cpu = cpuSeconds(run)
+        cpu = cpu_seconds(run)
         for what, key, unit, (value, share) in (("peak of the force, mean of 50 ms", "peak", "N", PEAK),
                                                 ("force, mean of 0.55 to 0.75 s", "plateau", "N", STEADY),
                                                 ("impulse, 0.33 to 1.30 s", "impulse", "N s", TOTAL)):

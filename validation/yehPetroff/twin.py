@@ -1,14 +1,12 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The same bore on walls that slip: run/slip in plungeFoam, on cells of 20 mm; run/slipParticles, at a spacing of 15 mm."""
-import sys
 from pathlib import Path
 
-FOLDER = Path(__file__).resolve().parent
-sys.path.insert(0, str(FOLDER.parent))
-from meshTwins import solve  # noqa: E402
-from particleRuns import solveCase  # noqa: E402
+from plunge.studies.meshTwins import solve
+from plunge.studies.particleRuns import solveCase
 
+FOLDER = Path(__file__).resolve().parent
 CELL = 0.02
 X, Y, Z = (0, 0.9, 1.02, 1.6), (0, 0.25, 0.37, 0.61), (0, 0.76)
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from bodyGeometry import Body
+from plunge.bodyGeometry import Body
 
 RINGS, AROUND = 160, 96
 

@@ -134,6 +134,12 @@ def running_mean(time: np.ndarray, value: np.ndarray, window: float) -> np.ndarr
     return (np.interp(high, time, total) - np.interp(low, time, total)) / (high - low)
 
 
+def even_running_mean(value: np.ndarray, rows: float) -> np.ndarray:
+    """Centred mean over a number of rows, of a table with even steps; zeros stand before and after it."""
+    n = max(1, int(round(rows)))
+    return np.convolve(value, np.ones(n) / n, "same")
+
+
 def key_numbers(trajectory: Table, ledger: Table | None, extent: Table) -> Quantities:
     """What the summary reports.
 
@@ -315,8 +321,8 @@ def particle_counts(case: Path) -> tuple[int, int]:
 
 def cpu_seconds(run: Path) -> float:
     """CPU time of the solver [s], over restarts: of the master rank, or of all threads."""
-    times = [float(t) for t in re.findall(r"^ExecutionTime = ([\d.]+) s", solver_log(run), re.M)]
-    return sum(t for t, later in zip(times, times[1:] + [0.0]) if later < t)
+    starts = (re.findall(r"^ExecutionTime = (\S+) s", log, re.M) for log in solver_log(run).split("Build  :"))
+    return sum(float(times[-1]) for times in starts if times)
 
 
 def scene_name(case: Path) -> str:

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs of plungeSPH for validations and tests: a case of the repository with other entries, and its tables."""
-import json
 import os
 import re
 import shutil
@@ -10,8 +9,11 @@ from pathlib import Path
 from typing import Dict, List, Mapping, Sequence, Tuple
 
 import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
-REPOSITORY = Path(__file__).resolve().parent.parent
+from plunge.studies import REPOSITORY
+from plunge.surfaces import read_series, read_surface
+
 PROPERTIES, CONTROL = "constant/particleProperties", "system/controlDict"
 LOG = "log.plungeSPH"
 
@@ -77,12 +79,6 @@ def solveCase(case: str, run: Path, entries: Mapping[str, object], *options: obj
     solve(run, *options)
 
 
-def cpuSeconds(run: Path) -> float:
-    """Of all starts together [s]."""
-    logs = (run / LOG).read_text().split("Build  :")
-    return sum(float(times[-1]) for times in (re.findall(r"ExecutionTime = (\S+) s", log) for log in logs) if times)
-
-
 def table(run: Path, name: str) -> Dict[str, np.ndarray]:
     """Columns of a table by their names; of a run in parts each time once, from the later part."""
     parts = [np.genfromtxt(path, delimiter=",", names=True)
@@ -94,19 +90,12 @@ def table(run: Path, name: str) -> Dict[str, np.ndarray]:
 
 def series(run: Path) -> List[Tuple[float, Path]]:
     """Times and files that ParaView shows."""
-    return [(entry["time"], run / "VTK" / entry["name"])
-            for entry in json.loads((run / "VTK/particles.vtp.series").read_text())["files"]]
+    return read_series(run / "VTK", "particles")
 
 
 def particles(file: Path) -> Dict[str, np.ndarray]:
     """Fields of one of them: x, U, p, rho, wall, and the time in the file."""
-    import vtk
-    from vtk.util.numpy_support import vtk_to_numpy
-
-    reader = vtk.vtkXMLPolyDataReader()
-    reader.SetFileName(str(file))
-    reader.Update()
-    output = reader.GetOutput()
+    output = read_surface(file)
     if not output.GetNumberOfCells() == output.GetNumberOfPoints() > 0:
         raise RuntimeError(f"{file}: expected a vertex for each particle")
     fields = {name: vtk_to_numpy(output.GetPointData().GetArray(name)) for name in ("U", "p", "rho", "wall")}
@@ -121,10 +110,16 @@ def runs(folder: Path) -> List[Tuple[float, Path]]:
     return sorted(complete, reverse=True)
 
 
+def commandLine() -> Tuple[List[str], List[str]]:
+    """Its words before the first option, and the others, which are options of plungeSPH."""
+    words = sys.argv[1:]
+    n = next((i for i, word in enumerate(words) if word.startswith("-")), len(words))
+    return words[:n], words[n:]
+
+
 def resolutions(case: str, folder: Path, entries: Mapping[str, object] = {}, default: Sequence[float] = (), **control: object) -> None:
     """What a validation's run.py does: the case at several spacings, those of the command line before the first option, or
     else the default ones; other words are options of plungeSPH. Complete runs stay."""
-    words = sys.argv[1:]
-    n = next((i for i, word in enumerate(words) if word.startswith("-")), len(words))
-    for spacing in map(float, words[:n] or default):
-        solveCase(case, folder / "run" / f"{spacing:g}", {**entries, "geometry/spacing": spacing}, *words[n:], **control)
+    words, options = commandLine()
+    for spacing in map(float, words or default):
+        solveCase(case, folder / "run" / f"{spacing:g}", {**entries, "geometry/spacing": spacing}, *options, **control)

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from math import floor, isclose, isfinite, log10
 from pathlib import Path
 
-from plungeResults import CaseError, Quantities, parameters
+from plunge.results import CaseError, Quantities, parameters
 
 TABLE = "constant/uncertainty.csv"  # plungeCase copies it from the case into its runs
 STUDY = "validation/diveUncertainty/Allrun"

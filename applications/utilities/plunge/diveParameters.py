@@ -11,10 +11,9 @@ from typing import Any, Callable
 
 import numpy as np
 
-import boundaryLayer
-import foamDictionary
-from bodyGeometry import Body
-from bodyMesh import MeshSize, axial_cell_count, first_layers, with_first_layer
+from plunge import boundaryLayer, foamDictionary
+from plunge.bodyGeometry import Body
+from plunge.bodyMesh import MeshSize, axial_cell_count, first_layers, with_first_layer
 
 
 class ParameterError(Exception):

@@ -4,7 +4,7 @@ import csv
 import subprocess
 from datetime import date
 from pathlib import Path
-from typing import Callable, List, NamedTuple, Union
+from typing import Callable, Dict, List, NamedTuple, Sequence, Union
 
 COLUMNS = ("quantity", "value", "unit", "reference", "tolerance", "holds", "cpu_s", "version", "date")
 
@@ -46,13 +46,21 @@ def text(value: Union[str, float]) -> str:
     return f"{value:.4g}" if isinstance(value, float) else str(value)
 
 
+def read(path: Path) -> List[Dict[str, str]]:
+    """Rows of a .csv file; lines that begin with # are comments."""
+    with path.open(newline="") as file:
+        return list(csv.DictReader(line for line in file if not line.startswith("#")))
+
+
+def markdown(header: Sequence[str], rows: Sequence[Sequence[str]]) -> List[str]:
+    """A table for a document."""
+    return ["| " + " | ".join(cells) + " |" for cells in (header, ["---"]*len(header), *rows)]
+
+
 def write(path: Path, rows: List[Row], keep: Callable[[str], bool] = lambda quantity: False) -> None:
     """Write the table; rows of an earlier one are kept where keep(quantity) says so."""
     stamp = [software_version(path.resolve().parent), date.today().isoformat()]
-    kept: List[List[str]] = []
-    if path.exists():
-        with path.open(newline="") as file:
-            kept = [list(row.values()) for row in csv.DictReader(file) if keep(row["quantity"])]
+    kept = [list(row.values()) for row in read(path) if keep(row["quantity"])] if path.exists() else []
     with path.open("w", newline="") as file:
         out = csv.writer(file, lineterminator="\n")
         out.writerow(COLUMNS)

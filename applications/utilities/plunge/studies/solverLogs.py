@@ -5,7 +5,8 @@ from pathlib import Path
 from typing import List, NamedTuple, Optional, Sequence
 
 import numpy as np
-from foamFields import ComparisonError
+
+from plunge.results import CaseError
 
 
 class Step(NamedTuple):
@@ -33,12 +34,12 @@ def readLog(path: Path) -> List[Step]:
             steps.append(Step(time, centre, orientation, float(match.group(1))))
             time = None
     if not steps:
-        raise ComparisonError(f"{path}: expected the output of a solver with at least one complete time step")
+        raise CaseError(f"{path}: expected the output of a solver with at least one complete time step")
     return steps
 
 
 def perStep(steps: Sequence[Step], first: int) -> float:
     """CPU time of a time step [s], without the first ones, which pay for what is constructed once."""
     if len(steps) <= first:
-        raise ComparisonError(f"{len(steps)} time steps: expected more than {first}")
+        raise CaseError(f"{len(steps)} time steps: expected more than {first}")
     return (steps[-1].cpu - steps[first - 1].cpu)/(len(steps) - first)

@@ -13,9 +13,9 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPlane, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkCutter, vtkStripper
 
-from plungeFigures import plt
-from plungeResults import CaseError, entry
-from plungeSurfaces import read_series, read_surface
+from plunge.figures import plt
+from plunge.results import CaseError, entry
+from plunge.surfaces import read_series, read_surface
 
 PANELS, COLUMNS = 6, 3
 FAST = 0.3  # speed at the end of the colour scale, over the body's

@@ -1,19 +1,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Dives of cases/gannetPlunge and their loads, for studies that compare them."""
 import subprocess
-import sys
 from pathlib import Path
 from typing import Dict, Sequence
 
 import numpy as np
 
-ROOT = Path(__file__).resolve().parents[1]
-sys.path[:0] = [str(ROOT / "applications/utilities/plungePost"), str(ROOT / "applications/utilities/plungeCase")]
-from foamDictionary import read  # noqa: E402
-from particleRuns import override  # noqa: E402
-from plungeResults import TRAJECTORY_COLUMNS, read_numbers, read_table, running_mean  # noqa: E402
+from plunge.foamDictionary import read
+from plunge.results import TRAJECTORY_COLUMNS, read_numbers, read_table, running_mean
+from plunge.studies import REPOSITORY
+from plunge.studies.particleRuns import override
 
-CASE = ROOT / "cases/gannetPlunge"
+CASE = REPOSITORY / "cases/gannetPlunge"
 # OpenFOAM's fastest on these meshes, tier fast: voxels of two cells in the background and half a cell in the body's mesh
 STOCK_STENCIL = ("method trackingInverseDistance; searchBox (-0.61 0 -1.43) (0.65 0.35 1.33); "
                  "searchBoxDivisions ((25 7 56) (100 28 221));")

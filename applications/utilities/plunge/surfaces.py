@@ -45,7 +45,7 @@ from vtkmodules.vtkIOParallel import vtkPOpenFOAMReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 from vtkmodules.vtkParallelCore import vtkDummyController
 
-from plungeResults import CaseError, patch_types
+from plunge.results import CaseError, patch_types
 
 HOLE = 2  # cellCellStencil: 0 calculated, 1 interpolated, 2 hole
 BACKGROUND = 0  # zoneID of the mesh that the others lie on

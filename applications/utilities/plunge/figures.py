@@ -19,8 +19,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from plungeResults import G0, Quantities, Table, running_mean
-from plungeUncertainty import Uncertainty, two_digits
+from plunge.results import G0, Quantities, Table, running_mean
+from plunge.uncertainty import Uncertainty, two_digits
 
 plt.rcParams.update({
     "font.size": 9, "axes.titlesize": 9.5, "axes.grid": True, "grid.alpha": 0.35, "grid.linewidth": 0.5,

@@ -16,7 +16,7 @@ import numpy as np
 from scipy.interpolate import PchipInterpolator
 from scipy.optimize import brentq
 
-from bodyGeometry import Body
+from plunge.bodyGeometry import Body
 
 
 @dataclass(frozen=True)

@@ -4,13 +4,12 @@ is the method's from what is the walls' or the scene's.
 
 limitedLinear takes no gradient from the wall, as linearUpwind does, which would rub like one on cells that are thicker than
 the boundary layer."""
-import re
 import subprocess
 from pathlib import Path
 from typing import Sequence, Tuple
 
-import numpy as np
-from particleRuns import CONTROL, REPOSITORY, call, isComplete, setEntry
+from plunge.studies import REPOSITORY
+from plunge.studies.particleRuns import CONTROL, call, isComplete, setEntry
 
 SOLVER = "plungeFoam"
 Box = Tuple[str, str, float]  # its least and its largest corner, and the share of water in its cells
@@ -45,9 +44,3 @@ def solve(run: Path, blocks: str, friction: str, water: Sequence[Box], gravity: 
         call(run, "blockMesh")
         call(run, "setFields")
     call(run, SOLVER)
-
-
-def numbers(file: Path) -> np.ndarray:
-    """A table that a function object has written, without its brackets; a row for each time."""
-    lines = (re.sub("[()]", " ", line).split() for line in file.read_text().splitlines() if not line.startswith("#"))
-    return np.array([list(map(float, line)) for line in lines])
