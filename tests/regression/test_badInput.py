@@ -30,6 +30,14 @@ def scene(*lines: str) -> Callable[[Path], None]:
     return lambda case: (case / "constant/sceneProperties").write_text(header + "\n".join(lines) + "\n") and None
 
 
+def both(*edits: Callable[[Path], None]) -> Callable[[Path], None]:
+    """Makes several changes."""
+    def edit(case: Path) -> None:
+        for each in edits:
+            each(case)
+    return edit
+
+
 def entry(file: str, name: str, value: object) -> Callable[[Path], None]:
     """Sets an entry of a dictionary."""
     return lambda case: setEntry(case, file, name, value)
@@ -99,6 +107,29 @@ MISTAKES = {
     "friction line on a patch that is missing": Mistake(
         "damBreak", scene("boundaryLayer frictionLine;", "frictionLineCoeffs { patches (hull); }"),
         ("frictionLineCoeffs", "patches", "hull", "leftWall")),
+    "friction line on an open boundary": Mistake(
+        "damBreak", scene("boundaryLayer frictionLine;", "frictionLineCoeffs { patches (leftWall atmosphere); }"),
+        ("frictionLineCoeffs", "atmosphere", "patch", "type wall")),
+    "friction line that is no word": Mistake(
+        "damBreak", scene("boundaryLayer { type frictionLine; }"), ("sceneProperties", "boundaryLayer", "dictionary", "frictionLineCoeffs")),
+    "friction line's entries that are no dictionary": Mistake(
+        "damBreak", scene("boundaryLayer frictionLine;", "frictionLineCoeffs 5;"), ("frictionLineCoeffs", "dictionary", "transitionReynolds")),
+    "friction line of the lighter fluid": Mistake(
+        "damBreak", both(scene("boundaryLayer frictionLine;"), entry("constant/transportProperties", "water/rho", 0.5)),
+        ("transportProperties", "phases", "heavier", "liquid first")),
+    "friction line without viscosity": Mistake(
+        "damBreak", both(scene("boundaryLayer frictionLine;"), entry("constant/transportProperties", "water/nu", 0)),
+        ("sceneProperties", "frictionLine", "viscosity", "none")),
+    "friction line on a wall that moves by itself": Mistake(
+        "damBreak", both(scene("boundaryLayer frictionLine;"),
+                         entry("0/U", "boundaryField/leftWall", "{ type fixedValue; value uniform (0 1 0); }")),
+        ("sceneProperties", "leftWall", "moves", "at rest")),
+    "laminar layer on a wall that slips": Mistake(
+        "damBreak", both(scene("boundaryLayer laminar;"), entry("0/U", "boundaryField/leftWall", "{ type slip; }")),
+        ("sceneProperties", "laminar", "leftWall", "slip", "noSlip")),
+    "wall functions on a wall that slips": Mistake(
+        "floatingBody", both(scene("boundaryLayer wallFunction;"), entry("0/U", "boundaryField/floatingObject", "{ type slip; }")),
+        ("sceneProperties", "wallFunction", "floatingObject", "slip", "movingWallVelocity")),
     "turbulence in the scene": Mistake(
         "damBreak", scene("turbulence on;"), ("sceneProperties", "turbulence", "boundaryLayer")),
     "compressibility": Mistake(

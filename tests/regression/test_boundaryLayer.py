@@ -68,4 +68,12 @@ def test_processorsAgree(tmp_path: Path, coarse: Path) -> None:
 def test_slipHasNone(tmp_path: Path) -> None:
     run = plate(tmp_path / "none", boundaryLayer="none")
     assert abs(study.coefficient(run)) < 1e-6
-    assert "There is no boundary layer: a flat plate of 0.1 m2" in (run / "log.solver").read_text()
+    assert "There is no boundary layer: the friction of a flat plate of its wetted area" in (run / "log.solver").read_text()
+
+
+@pytest.mark.parametrize("reynolds, transition", [(1e5, 0), (1e5, 5e5), (1e4, 5e5)])
+def test_thickLayers(tmp_path: Path, reynolds: float, transition: float) -> None:
+    """Down to where a layer is no longer thin, 5 % of its length."""
+    run = plate(tmp_path / "thick", viscosity=25/reynolds, transitionReynolds=transition, cells=80)
+    line = study.plate_friction(reynolds, 0) if transition == 0 else 1.328/np.sqrt(reynolds)
+    assert study.coefficient(run) == pytest.approx(line, rel=0.06)

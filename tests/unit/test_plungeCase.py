@@ -169,7 +169,7 @@ def test_surface_lies_where_the_dive_starts(case: Path) -> None:
     (["-boundaryLayer", "turbulent"],
      "entry 'boundaryLayer' is turbulent; expected one of: auto laminar wallFunction frictionLine none"),
     (["-boundaryLayer", "laminar"], "entry 'boundaryLayer' is laminar, but the mesh's first layer is 0.00288 m and a laminar layer "
-                                    "at Re = 1.64e+07 needs 8.74e-05 m; expected frictionLine, or a finer mesh"),
+                                    "at Re = 1.64e+07 needs 7.86e-05 m; expected frictionLine, or a finer mesh"),
     (["-solver", "plungeSPH", "-boundaryLayer", "frictionLine"],
      "entry 'boundaryLayer' is frictionLine; expected auto or none: plungeSPH has no boundary layer"),
     (["-set", "transitionReynolds=-1"], "entry 'transitionReynolds' is -1; expected a number, 0 or above"),
@@ -328,7 +328,7 @@ MEDIUM = {"dive__speed": 0.5}   # and this one's not
 @pytest.mark.parametrize("overrides, layer, reason", [
     ({}, "frictionLine", "Re = 1.64e+07, above transition at 5e+05"),
     ({"transitionReynolds": 2e7}, "frictionLine", "Re = 1.64e+07, not above transition at 2e+07, but the mesh's first layer is 0.00288 m "
-                                                  "and a laminar layer needs 8.74e-05 m"),
+                                                  "and a laminar layer needs 7.86e-05 m"),
     (MEDIUM, "frictionLine", "Re = 3.27e+05, not above transition at 5e+05, but the mesh's first layer"),
     (SLOW, "laminar", "Re = 6.55e+03, not above transition at 5e+05, and the mesh resolves the layer"),
     ({**SLOW, "transitionReynolds": 0}, "frictionLine", "Re = 6.55e+03, above transition at 0"),
@@ -429,11 +429,10 @@ def test_first_cells_of_wall_functions_are_in_the_logarithmic_layer(fluids: str,
 
 
 def test_mesh_that_is_fine_enough_for_wall_functions_stays() -> None:
-    plain, found = (generated(boundaryLayer=layer, **MEDIUM) for layer in ("none", "wallFunction"))
-    assert [found[name] for name in ("layers", "stretching")] == [plain[name] for name in ("layers", "stretching")]
-    # Or stays where it is
     size = diveParameters.mesh_size(Body(1.0, 0.1), diveParameters.read(CASE, {}).tier, 1)
     own = bodyMesh.first_layers(size)
+    assert bodyMesh.with_first_layer(size, max(own)) == size
+    # Or stays where it is
     thinner = bodyMesh.with_first_layer(size, 1.1 * min(own))
     assert bodyMesh.first_layers(thinner) == pytest.approx([min(1.1 * min(own), first) for first in own])
     assert thinner.layers >= size.layers
@@ -476,3 +475,13 @@ def test_run_directory_is_kept_for_the_same_dive_and_refused_for_another(case: P
 @pytest.mark.parametrize("cores", [1, 2, 6, 7, 64])
 def test_ranks_are_all_used(cores: int) -> None:
     assert np.prod(diveParameters.cores_split(cores)) == cores
+
+
+def test_wall_functions_are_refused_where_their_layer_is_thinner_than_the_mesh_is_made_for() -> None:
+    with pytest.raises(diveParameters.ParameterError, match=r"wallFunction, but first cells would be at y\+ = 2.*expected 30 to 300"):
+        generated(boundaryLayer="wallFunction", **MEDIUM)
+
+
+def test_numbers_are_finite() -> None:
+    with pytest.raises(diveParameters.ParameterError, match="'dive.speed' is inf; expected a number above 0"):
+        generated(**{"dive.speed": float("inf")})

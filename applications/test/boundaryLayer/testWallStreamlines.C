@@ -135,6 +135,36 @@ TEST(wallStreamlines, attachmentLineBegins)
 }
 
 
+TEST(wallStreamlines, oppositeFlowsAreFollowedToTheirEnds)
+{
+    // Two plates of more faces than there are passes, which share no edge
+    const label n = 400;
+    const Surface plate(n, 3, plane);
+    faceList faces(plate.faces);
+    pointField centres(plate.centres);
+    vectorField U(centres.size(), vector(25, 0, 0));
+    for (const face& f : plate.faces)
+    {
+        face other(f);
+        for (label& pointi : other)
+        {
+            pointi += 10*n;
+        }
+        faces.append(other);
+    }
+    for (const point& C : plate.centres)
+    {
+        centres.append(C + vector(0, 0, 1));
+        U.append(vector(-26, 0, 0));
+    }
+    const scalarField s(wallStreamlines(faces).lengths(centres, U));
+    forAll(s, i)
+    {
+        EXPECT_NEAR(s[i], U[i].x() > 0 ? centres[i].x() : 1 - centres[i].x(), 1e-9);
+    }
+}
+
+
 TEST(wallStreamlines, closedStreamlinesAreLimited)
 {
     // Round and round on a ring
