@@ -156,8 +156,12 @@ def trajectory_figure(title: str, table: Table, ledger: Table | None, numbers: Q
     if ledger is None:
         volume.set_axis_off()
     else:
-        volume.plot(1e3 * ledger["time_s"], ledger["error_percent_of_body_volume"], color="C5")
-        panel(volume, "Error of the ledger of liquid volume", "error [% of body volume]", events)
+        # The axis' own power of ten would lie on the names of the events
+        error = ledger["error_percent_of_body_volume"]
+        largest = np.max(np.abs(error), initial=0.0)
+        power = int(np.floor(np.log10(largest))) if largest > 0 else 0
+        volume.plot(1e3 * ledger["time_s"], error / 10.0**power, color="C5")
+        panel(volume, "Error of the ledger of liquid volume", f"error [$10^{{{power}}}$ % of body volume]", events)
 
     def sure(name: str, ax: Axes, when: float, column: str, what: str, beside: tuple[int, int], along: str = "y") -> None:
         if name not in uncertainties or not np.isfinite(when):
