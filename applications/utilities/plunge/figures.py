@@ -106,7 +106,7 @@ def trajectory_figure(title: str, table: Table, ledger: Table | None, numbers: Q
                       notes: Sequence[str]) -> Figure:
     """One A4 page on one dive, with error bars where uncertainties are known, and the notes below."""
     figure, axes = plt.subplots(4, 2, figsize=A4, constrained_layout=True)
-    figure.suptitle(title, fontsize=11)
+    figure.suptitle(title, fontsize=9)
     write_notes(figure, notes)
     (path, depth), (speed, slow), (lateral, pitch), (force, volume) = axes
     time, events = table["time_s"], events_of(numbers)
@@ -177,7 +177,7 @@ def trajectory_figure(title: str, table: Table, ledger: Table | None, numbers: Q
     impact, peak = (numbers[f"time of {name}"][0] for name in ("impact deceleration", "peak deceleration"))
     sure("impact deceleration", slow, impact, "deceleration_m_s2", "", (1, 0))
     if peak != impact:
-        sure("peak deceleration", slow, peak, "deceleration_m_s2", "", (-1, -1))
+        sure("peak deceleration", slow, peak, "deceleration_m_s2", "", (1, -1))
     sure("velocity lost at full immersion", speed, immersed, "speed_m_s", "lost: ", (-1, -1))
     sure("pitch change at full immersion", pitch, immersed, "pitch_deg", "change: ", (-1, 1))
     sure("full immersion time", depth, immersed, "penetration_m", "", (-1, 1), along="x")
