@@ -18,9 +18,9 @@ CAUSES = {"mesh": "mesh_uncertainty", "time step": "time_uncertainty", "boundary
 
 # Entries of plungeGenerated. An uncertainty holds for dives that have all of them in common; the first ones name a dive.
 NAMED = ("fluids", "tier", "model", "mesh", "resolution", "boundaryLayer")
+FLUIDS = ("liquidDensity", "liquidViscosity", "gasDensity", "gravity")
 CONDITIONS = NAMED + ("application", "transitionReynolds", "bodyLength", "thicknessRatio", "bodyMass", "bodyMomentOfInertia",
-                      "centreOfMassFromNose", "speed", "pathAngle", "gap", "diveDuration",
-                      "liquidDensity", "liquidViscosity", "gasDensity", "gravity")
+                      "centreOfMassFromNose", "speed", "pathAngle", "gap", "diveDuration", *FLUIDS)
 COLUMNS = CONDITIONS + ("quantity", "value", "unit", *CAUSES.values(), "total_uncertainty", "version", "date")
 
 
@@ -98,6 +98,8 @@ def read_uncertainties(case: Path) -> tuple[dict[str, Uncertainty], str]:
         return [name for name in CONDITIONS if not same(here[name], row[name])]
 
     nearest = min(map(differing, rows), key=len)
+    if "fluids" in nearest:
+        nearest = [name for name in nearest if name not in FLUIDS]
     if nearest:
         only = ", ".join(f"{name} {' or '.join(dict.fromkeys(row[name] for row in rows))}" for name in NAMED)
         ours = ", ".join(f"{name} {short(here[name]) or 'unknown'}" for name in nearest)
