@@ -215,7 +215,7 @@ def overlay_figure(dives: list[tuple[str, Table, Quantities]], mean: float | Non
     panel(depth, "Penetration depth", "depth [m]", {})
     panel(pitch, "Pitch", "pitch [deg]", {})
     figure.legend(*slow.get_legend_handles_labels(), loc="lower center",
-                  bbox_to_anchor=(0.5, 1.0), ncol=min(2, len(dives)),
+                  bbox_to_anchor=(0.5, 1.0), ncol=1,
                   title="dashed: contact and full immersion", title_fontsize=8)
     return figure
 
