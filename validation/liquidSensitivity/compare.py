@@ -36,10 +36,10 @@ def flat_plates(given: Dict[str, float]) -> Dict[str, float]:
 
 
 def viscous_deceleration(run: Path, given: Dict[str, float], time: float) -> float:
-    """[m/s2] along the path, at a time."""
+    """[m/s2] along the path, at a time. The tables hold the forces on the whole body, in the half model too."""
     trajectory = gather(run)["trajectory"]
     along = sum(trajectory[f"Fv{axis}_N"] * trajectory[f"v{axis}_m_s"] for axis in "xyz") / trajectory["speed_m_s"]
-    return -float(np.interp(time, trajectory["time_s"], along)) / given["modelledMass"]
+    return -float(np.interp(time, trajectory["time_s"], along)) / given["bodyMass"]
 
 
 def figures(run: Path) -> Dict[str, float]:
