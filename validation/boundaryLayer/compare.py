@@ -21,6 +21,7 @@ import numpy as np
 from scipy.optimize import brentq
 
 from plunge.bodyGeometry import Body
+from plunge.boundaryLayer import turbulent_friction
 from plunge.foamDictionary import read
 from plunge.results import cell_count
 from plunge.studies.dives import finish, start
@@ -28,7 +29,7 @@ from plunge.studies.fixedBody import SOLVER, Drag, forces, solve
 from plunge.studies.particleRuns import call, isComplete, override
 from plunge.studies.resultTable import Row, judge, limit, show, write
 from plunge.studies.resultTable import read as readRows
-from plunge.studies.solverLogs import readLog
+from plunge.studies.solverLogs import perStep, readLog
 
 FOLDER = Path(__file__).resolve().parent
 
@@ -48,10 +49,8 @@ def lines(reynolds: float) -> Dict[str, float]:
 
 def plate_friction(reynolds: float, transition: float) -> float:
     """Mean coefficient of Prandtl and Schlichting's line, less what a laminar run to the transition saves."""
-    def turbulent(re: float) -> float:
-        return 0.455/log10(re)**2.58
-    saved = transition*(turbulent(transition) - 1.328/sqrt(transition)) if transition else 0.0
-    return turbulent(reynolds) - saved/reynolds
+    saved = transition*(turbulent_friction(transition) - 1.328/sqrt(transition)) if transition else 0.0
+    return turbulent_friction(reynolds) - saved/reynolds
 
 
 def grading(first: float, layers: int) -> float:
@@ -77,7 +76,7 @@ def plate(name: str, reynolds: float, first: float, layers: int, **entries: obje
 
 def coefficient(run: Path) -> float:
     """Mean friction coefficient of a plate, at the end."""
-    time, _, viscous = forces(run)
+    _, _, viscous = forces(run)
     return float(viscous[-1, 0]/(DENSITY/2*25**2*WIDTH))
 
 
@@ -132,7 +131,7 @@ def bodies(results: Dict[Tuple[str, str, str, float], Drag]) -> List[Row]:
         if layer == "none":
             rows.append(Row(f"{name}: pressure drag", drag.form, "N"))
             continue
-        # The line of the issue's figures where the layer is turbulent almost throughout, else with its laminar run
+        # ITTC's line, of ships, where the layer is turbulent almost throughout, else the one that knows a laminar run
         line = unit*(lines(reynolds)["ITTC57"] if transition == 5e5 else plate_friction(reynolds, transition))
         slender = body.thickness_ratio
         form = 1 + 1.5*slender**1.5 + 7*slender**3
@@ -154,8 +153,8 @@ def costs() -> List[Row]:
             for name, changes in ((layer, {}), ("none", slip)):
                 run = FOLDER / "run" / f"cost-{layer}-{turn}-{name}"
                 finish(start(run, ["-np", "1", "-boundaryLayer", layer, "-set", "dive.travel=0.1", "-set", "output.frames=1"], changes))
-                cpu = np.array([step.cpu for step in readLog(run / f"log.{SOLVER}")])
-                seconds.append((cpu[-1] - cpu[len(cpu)//3])/(len(cpu) - 1 - len(cpu)//3))
+                steps = readLog(run / f"log.{SOLVER}")
+                seconds.append(perStep(steps, len(steps)//3 + 1))
             ratios.append(seconds[0]/seconds[1])
         rows.append(limit(f"dive, {layer}: CPU time of a step over that without a boundary layer on the same mesh", float(np.median(ratios)), "1", most))
     return rows

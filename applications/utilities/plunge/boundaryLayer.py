@@ -23,11 +23,16 @@ def resolving_layer(reynolds: float, length: float) -> float:
     return _RESOLVED_SHARE * 5 * length * sqrt(0.5 / reynolds)
 
 
+def turbulent_friction(reynolds: float) -> float:
+    """Mean friction coefficient of a flat plate, turbulent throughout: the line of Prandtl and Schlichting
+    (Schlichting, Boundary-Layer Theory, 7th ed. 1979, eq. 21.16a)."""
+    return 0.455 / log10(reynolds) ** 2.58
+
+
 def wall_function_layer(reynolds: float, length: float) -> float:
     """First layer [m] for wall functions; friction at half the length by the line of Prandtl and Schlichting."""
     half = max(reynolds / 2, _LEAST_REYNOLDS)
-    mean = 0.455 / log10(half) ** 2.58
-    local = mean * (1 - 2.58 / log(half))
+    local = turbulent_friction(half) * (1 - 2.58 / log(half))
     return 2 * WALL_DISTANCE * length / (reynolds * sqrt(local / 2))
 
 

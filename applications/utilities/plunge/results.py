@@ -333,16 +333,16 @@ def scene_name(case: Path) -> str:
 def describe(case: Path) -> str:
     """One line that names the case: directory, fluids, model, tier and cells or particles."""
     words = [case.resolve().name]
-    if (case / PARAMETERS).is_file():
-        given = {name: entry(case, PARAMETERS, name) for name in ("fluids", "model", "tier", "resolution")}
-        words += [f"fluids {given['fluids']}", f"{given['model']} model", f"tier {given['tier']}"]
-        body = {name: float(entry(case, PARAMETERS, name)) for name in ("bodyLength", "speed", "pathAngle")}
-        words.insert(1, f"{body['bodyLength']:g} m at {body['speed']:g} m/s and {body['pathAngle']:g} deg")
+    given = parameters(case)
+    if given:
+        length, speed, angle = (float(given[name]) for name in ("bodyLength", "speed", "pathAngle"))
+        words += [f"{length:g} m at {speed:g} m/s and {angle:g} deg", f"fluids {given['fluids']}", f"{given['model']} model",
+                  f"tier {given['tier']}"]
         if float(given["resolution"]) != 1:
             words.append(f"resolution {given['resolution']}")
     if solver_name(case) == "plungeSPH":
         words.append(f"{particle_counts(case)[0]:,} particles of liquid")
     else:
-        layer = parameters(case).get("boundaryLayer")
+        layer = given.get("boundaryLayer")
         words += [*([f"boundary layer {layer}"] if layer else []), f"{cell_count(case):,} cells"]
     return ", ".join(words)

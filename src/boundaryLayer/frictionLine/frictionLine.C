@@ -90,9 +90,8 @@ Foam::pointField Foam::frictionLine::meshedPoints() const
 }
 
 
-void Foam::frictionLine::setStreamlines()
+void Foam::frictionLine::setStreamlines(const pointField& points)
 {
-    const pointField points(meshedPoints());
     const indirectPrimitivePatch walls
     (
         IndirectList<face>(mesh_.faces(), wallFaces()),
@@ -123,9 +122,12 @@ void Foam::frictionLine::setStreamlines()
 }
 
 
-void Foam::frictionLine::setNearWall(const labelUList& zones)
+void Foam::frictionLine::setNearWall
+(
+    const pointField& points,
+    const labelUList& zones
+)
 {
-    const pointField points(meshedPoints());
     const labelList walls(wallFaces());
 
     // Centres and normals, on all processors
@@ -281,11 +283,11 @@ Foam::tmp<Foam::scalarField> Foam::frictionLine::lengths
 Foam::tmp<Foam::scalarField> Foam::frictionLine::edgeSpeeds
 (
     const scalarField& lengths,
-    const vectorField& slip
+    const vectorField& slip,
+    const scalarField& nu1
 ) const
 {
     const scalarField& alpha = mixture_.alpha1().primitiveField();
-    const scalarField nu1(mixture_.nuModel1().nu()().primitiveField());
     const labelList walls(wallFaces());
 
     // Where the layer ends
@@ -392,8 +394,9 @@ Foam::frictionLine::frictionLine
     {
         stress_[i].setSize(mesh_.boundary()[patches_[i]].size(), Zero);
     }
-    setStreamlines();
-    setNearWall(zones);
+    const pointField points(meshedPoints());
+    setStreamlines(points);
+    setNearWall(points, zones);
 }
 
 
@@ -420,10 +423,10 @@ void Foam::frictionLine::correct()
 
     const vectorField slip(this->slip());
     const scalarField s(lengths(slip));
-    const scalarField speeds(edgeSpeeds(s, slip));
+    const scalarField nu1(mixture_.nuModel1().nu()().primitiveField());
+    const scalarField speeds(edgeSpeeds(s, slip, nu1));
 
     const volScalarField& alpha = mixture_.alpha1();
-    const scalarField nu1(mixture_.nuModel1().nu()().primitiveField());
     const scalar rho1 = mixture_.rho1().value();
 
     label n = 0;

@@ -159,9 +159,13 @@ Foam::freeSurfaceFlow::wallScales Foam::freeSurfaceFlow::scalesOfWalls() const
 
 void Foam::freeSurfaceFlow::checkBoundaryLayer() const
 {
-    const bool stated =
-        scene_.boundaryLayer() != scene::boundaryLayerType::unstated;
-    if (stated && scalesOfWalls().area <= 0)
+    if (scene_.boundaryLayer() == scene::boundaryLayerType::unstated)
+    {
+        return;
+    }
+
+    const wallScales walls(scalesOfWalls());
+    if (walls.area <= 0)
     {
         FatalIOErrorInFunction(scene_.dict())
             << "Entry boundaryLayer is given, but the scene has no body and the"
@@ -171,7 +175,7 @@ void Foam::freeSurfaceFlow::checkBoundaryLayer() const
     }
 
     // With these the fluids stick to the walls
-    if (stated && !scene_.slips())
+    if (!scene_.slips())
     {
         for (const label patchi : boundaryLayerPatches())
         {
@@ -247,9 +251,8 @@ void Foam::freeSurfaceFlow::checkBoundaryLayer() const
     scalar length, speed;
     string origin;
     referenceScales(length, speed, origin);
-    const wallScales walls(scalesOfWalls());
     const scalar nu = gMax(mixture_.nuModel1().nu()().primitiveField());
-    if (!(walls.area > 0 && speed > SMALL && nu > 0))
+    if (!(speed > SMALL && nu > 0))
     {
         return;
     }
