@@ -16,7 +16,7 @@ namespace
 {
 
 //- The numbers of the last line of a new table after one line was written
-std::vector<double> lineOf(const bool halfModel, bodyTrajectory::line& result)
+std::vector<double> lineOf(const modelledPart& model, bodyTrajectory::line& result)
 {
     bodyState s;
     s.centreOfMass = point(1, 2, 3);
@@ -35,7 +35,7 @@ std::vector<double> lineOf(const bool halfModel, bodyTrajectory::line& result)
         const autoPtr<Time> time(Time::New());
         bodyTrajectory table(time(), "dive", vector(0, 0, -2));
         EXPECT_EQ(table.up(), vector(0, 0, 1));
-        result = table.write(0.25, s, loads, 7, 0.125, halfModel);
+        result = table.write(0.25, s, loads, 7, 0.125, model);
     }
 
     std::ifstream file("postProcessing/dive/0/trajectory.csv");
@@ -54,7 +54,7 @@ std::vector<double> lineOf(const bool halfModel, bodyTrajectory::line& result)
 }
 
 
-void expectLine(const bool halfModel, const std::vector<double>& loads)
+void expectLine(const modelledPart& model, const std::vector<double>& loads)
 {
     std::vector<double> expected
     ({
@@ -64,7 +64,7 @@ void expectLine(const bool halfModel, const std::vector<double>& loads)
     expected.insert(expected.end(), loads.begin(), loads.end());
 
     bodyTrajectory::line line;
-    const std::vector<double> written(lineOf(halfModel, line));
+    const std::vector<double> written(lineOf(model, line));
     ASSERT_EQ(written.size(), expected.size());
     for (std::size_t i = 0; i < written.size(); ++i)
     {
@@ -80,11 +80,17 @@ void expectLine(const bool halfModel, const std::vector<double>& loads)
 
 TEST(bodyTrajectory, wholeBody)
 {
-    expectLine(false, {10, 20, 30, 1, 2, 3, 0, 0, -14, 4, 5, 6});
+    expectLine(modelledPart(modelledPart::partType::full), {10, 20, 30, 1, 2, 3, 0, 0, -14, 4, 5, 6});
 }
 
 
 TEST(bodyTrajectory, halfModelIsReportedAsTheWholeBody)
 {
-    expectLine(true, {20, 0, 60, 2, 0, 6, 0, 0, -28, 0, 10, 0});
+    expectLine(modelledPart(modelledPart::partType::half), {20, 0, 60, 2, 0, 6, 0, 0, -28, 0, 10, 0});
+}
+
+
+TEST(bodyTrajectory, quarterIsReportedAsTheWholeBody)
+{
+    expectLine(modelledPart(modelledPart::partType::quarter), {0, 0, 120, 0, 0, 12, 0, 0, -56, 0, 0, 0});
 }

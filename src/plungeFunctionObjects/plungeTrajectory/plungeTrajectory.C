@@ -3,7 +3,6 @@
 #include "plungeTrajectory.H"
 #include "addToRunTimeSelectionTable.H"
 #include "gravityMeshObject.H"
-#include "Switch.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -29,7 +28,7 @@ Foam::functionObjects::plungeTrajectory::plungeTrajectory
     fvMeshFunctionObject(name, runTime, dict),
     body_(mesh_),
     surfaceLevel_(0),
-    halfModel_(false),
+    model_(modelledPart::partType::full),
     lastVelocity_(body_.velocity()),
     lastTime_(runTime.value()),
     table_(runTime, name, meshObjects::gravity::New(runTime).value())
@@ -45,7 +44,14 @@ bool Foam::functionObjects::plungeTrajectory::read(const dictionary& dict)
 {
     fvMeshFunctionObject::read(dict);
     surfaceLevel_ = dict.get<scalar>("surfaceLevel");
-    halfModel_ = dict.get<Switch>("halfModel");
+    if (dict.found("halfModel"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Unknown entry halfModel" << nl
+            << "Expected: model half; (or one of " << modelledPart::typeNames.sortedToc() << ")."
+            << exit(FatalIOError);
+    }
+    model_ = modelledPart::New(dict, mesh_.boundaryMesh());
     return true;
 }
 
@@ -86,7 +92,7 @@ void Foam::functionObjects::plungeTrajectory::writeLine
             body_.fluidLoads(),
             body_.mass(),
             body_.reach(-table_.up()) + surfaceLevel_,
-            halfModel_
+            model_
         )
     );
     setResult("penetration", line.penetration);

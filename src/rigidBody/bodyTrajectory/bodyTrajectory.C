@@ -15,16 +15,6 @@ using namespace Foam;
 constexpr scalar g0 = 9.80665;
 
 
-//- Of both halves: the other one mirrors what lies in the plane of symmetry
-bodyLoads whole(const bodyLoads& half)
-{
-    bodyLoads both;
-    both.pressure = vector(2*half.pressure.x(), 0, 2*half.pressure.z());
-    both.viscous = vector(2*half.viscous.x(), 0, 2*half.viscous.z());
-    both.moment = vector(0, 2*half.moment.y(), 0);
-    return both;
-}
-
 } // End anonymous namespace
 
 
@@ -63,11 +53,11 @@ Foam::bodyTrajectory::line Foam::bodyTrajectory::write
     const bodyLoads& loads,
     const scalar mass,
     const scalar penetration,
-    const bool halfModel
+    const modelledPart& model
 )
 {
-    const bodyLoads total(halfModel ? whole(loads) : loads);
-    const scalar totalMass = halfModel ? 2*mass : mass;
+    const bodyLoads total(model.whole(loads));
+    const scalar totalMass = model.count()*mass;
 
     const tensor& Q = state.orientation;
     const vector forward(Q.xx(), Q.yx(), Q.zx());

@@ -20,7 +20,7 @@ Foam::smoothedParticles::particleBodies<dim>::particleBodies
 )
 :
     time_(runTime),
-    halfModel_(properties.isHalfModel()),
+    model_(properties.modelled()),
     surfaceLevel_(properties.outputs().lookupOrDefault<scalar>("surfaceLevel", 0))
 {
     if (!properties.dict().found("bodies"))
@@ -103,7 +103,7 @@ void Foam::smoothedParticles::particleBodies<dim>::write(const particleFlow<dim>
             flow.wallLoads(walls_[i]),
             bodies_[i].mass(),
             surfaces_[i].reach(now, -trajectories_[i].up()) + surfaceLevel_,
-            halfModel_
+            model_
         );
     }
 }

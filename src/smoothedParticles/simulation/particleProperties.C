@@ -438,16 +438,19 @@ Foam::smoothedParticles::particleProperties::particleProperties(const Time& runT
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-bool Foam::smoothedParticles::particleProperties::isHalfModel() const
+Foam::modelledPart Foam::smoothedParticles::particleProperties::modelled() const
 {
+    bool across[3] = {};
     for (const symmetryPlane& plane : common_.symmetry)
     {
-        if (plane.axis == 1)
-        {
-            return true;
-        }
+        across[plane.axis] = true;
     }
-    return false;
+    return modelledPart
+    (
+        !across[1] ? modelledPart::partType::full
+      : across[0] ? modelledPart::partType::quarter
+      : modelledPart::partType::half
+    );
 }
 
 
