@@ -2,6 +2,7 @@
 
 #include "modelledPart.H"
 
+#include "mathematicalConstants.H"
 #include "polyBoundaryMesh.H"
 #include "wedgePolyPatch.H"
 
