@@ -113,9 +113,8 @@ def format_value(value: Any) -> str:
     return f'"{text}"' if re.search(r"[\s{}();]", text) else text
 
 
-def write(path: Path, note: str, sections: list[tuple[str, dict[str, Any]]]) -> None:
-    """Write sections of entries; each section is introduced by a comment."""
-    lines = [
+def _header(path: Path, note: str) -> list[str]:
+    return [
         "FoamFile",
         "{",
         "    version     2.0;",
@@ -126,10 +125,34 @@ def write(path: Path, note: str, sections: list[tuple[str, dict[str, Any]]]) -> 
         "",
         *(f"// {line}" for line in note.splitlines()),
     ]
-    for title, entries in sections:
-        lines += ["", f"// {title}"]
-        lines += [f"{key:<23} {format_value(value)};" for key, value in entries.items()]
-    # Appears complete or not at all.
+
+
+def _write_lines(path: Path, lines: list[str]) -> None:
+    """The file appears complete or not at all."""
     part = path.with_name(path.name + ".part")
     part.write_text("\n".join(lines) + "\n")
     part.replace(path)
+
+
+def write(path: Path, note: str, sections: list[tuple[str, dict[str, Any]]]) -> None:
+    """Write sections of entries; each section is introduced by a comment."""
+    lines = _header(path, note)
+    for title, entries in sections:
+        lines += ["", f"// {title}"]
+        lines += [f"{key:<23} {format_value(value)};" for key, value in entries.items()]
+    _write_lines(path, lines)
+
+
+def write_nested(path: Path, note: str, entries: dict[str, Any]) -> None:
+    """Write entries with their sub-dictionaries."""
+    def text(entries: dict[str, Any], indent: str) -> list[str]:
+        lines = []
+        for key, value in entries.items():
+            if isinstance(value, dict):
+                lines += [f"{indent}{key}", f"{indent}{{", *text(value, indent + "    "), f"{indent}}}"]
+            else:
+                lines.append(f"{indent}{key:<15} {format_value(value)};")
+        return lines
+
+    path.parent.mkdir(parents=True, exist_ok=True)
+    _write_lines(path, [*_header(path, note), "", *text(entries, "")])

@@ -68,11 +68,12 @@ def _tail_cap_length(curve: Curve, size: MeshSize) -> float:
     return min(cap_cells(size) * size.tail_spacing / _tip_power(curve), 0.8 * (end - begin))
 
 
-def _spacing(curve: Curve, size: MeshSize, s: np.ndarray) -> np.ndarray:
-    """Wanted spacing at arc length s: constant over the nose, least at the tail's cap and at corners, growing between."""
+def _spacing(curve: Curve, size: MeshSize, s: np.ndarray, tail_cap: float) -> np.ndarray:
+    """Wanted spacing at arc length s: constant over the nose, least at the tail's cap, which begins at tail_cap, and at corners,
+    growing between."""
     breaks = curve.arc_length(np.array(curve.breaks))
     nose = size.nose_spacing + size.growth * np.maximum(0, s - 2 * curve.nose_radius)
-    tail = size.tail_spacing + size.growth * (breaks[-1] - s)
+    tail = size.tail_spacing + size.growth * (tail_cap - s)
     inverse = nose**-4 + tail**-4 + size.body_spacing**-4
     for corner in breaks[1:-1]:
         inverse = inverse + (size.corner_spacing + size.growth * np.abs(s - corner)) ** -4
@@ -87,7 +88,7 @@ def axial_cell_counts(curve: Curve, size: MeshSize) -> tuple[int, ...]:
     counts = []
     for piece, (begin, end) in enumerate(zip(breaks, breaks[1:])):
         s = np.linspace(begin, min(end, tail), 20001)
-        cells = float(np.trapz(1 / _spacing(curve, size, s), s)) + (cap if piece == last else 0)
+        cells = float(np.trapz(1 / _spacing(curve, size, s, tail), s)) + (cap if piece == last else 0)
         fewest = (cap + 1) * ((piece == 0) + (piece == last)) or 2
         counts.append(max(round(cells), fewest))
     return tuple(counts)
@@ -133,10 +134,12 @@ class Meridian:
     def __init__(self, curve: Curve, size: MeshSize):
         self.size = size
         cap = cap_cells(size)
+        pieces = range(len(curve.breaks) - 1)
         tail_cap = _tail_cap_length(curve, size)
+        ends = curve.arc_length(curve.samples(pieces[-1]))
+        tail_begin = float(ends[ends <= ends[-1] - tail_cap][-1])
         power = _tip_power(curve)
         total = sum(size.axial_cells)
-        pieces = range(len(curve.breaks) - 1)
         corners = np.concatenate(([0], np.cumsum(size.axial_cells)))  # u there
 
         all_u, all_c, angles = [], [], []
@@ -146,7 +149,7 @@ class Meridian:
             last = piece == pieces[-1]
             cells = size.axial_cells[piece] - (cap if last else 0)
             before = s <= s[-1] - tail_cap if last else np.ones(len(s), bool)
-            density = 1 / _spacing(curve, size, s[before])
+            density = 1 / _spacing(curve, size, s[before], tail_begin)
             u = np.concatenate(([0], np.cumsum((density[1:] + density[:-1]) / 2 * np.diff(s[before]))))
             u *= cells / u[-1]
             if last:
@@ -466,7 +469,7 @@ def write_msh(mesh: VolumeMesh, place: np.ndarray, nose: np.ndarray, path: str) 
     gmsh.model.mesh.addNodes(3, _NODES, tags, (mesh.nodes @ place + nose).ravel())
     element = 1
     parts = [(2, mesh.wall, "wall"), (2, mesh.outer, "outer"), (2, mesh.symmetry, "plane"),
-             (2, mesh.front, "front"), (2, mesh.back, "back"), (3, mesh.hexahedra, "bodyMesh")]
+             (2, mesh.front, "nearSide"), (2, mesh.back, "farSide"), (3, mesh.hexahedra, "bodyMesh")]
     for entity, (dimension, cells, name) in enumerate(parts, 1):
         if not len(cells):
             continue

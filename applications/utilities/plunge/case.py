@@ -1,0 +1,257 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""From a scene and a method to an ordinary OpenFOAM case."""
+
+from __future__ import annotations
+
+import shlex
+import shutil
+from dataclasses import dataclass
+from math import pi, radians, sin
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from plunge import decisions, foamDictionary
+from plunge import scene as scenes
+from plunge.checks import ParameterError, checked, count, number, word
+from plunge.decisions import Decision
+from plunge.meridianMesh import SECTOR
+from plunge.methods import meshes, particles, tiers
+from plunge.methods.meshes import vector
+from plunge.methods.tiers import TEMPLATES
+from plunge.scene import Scene
+
+NOTE = "Written by plungeCase from constant/scene; SI units."
+GENERATED = "system/plungeGenerated"
+JOB = "plunge.sbatch"
+_TURBULENCE = ("k", "omega", "nut")  # fields of wall functions alone
+_OVERSET = ("zoneID", "setFieldsDict", "background")
+_SHAPE_FILES = "constant/geometry"
+_SHOWN = 8  # of the entries that differ
+
+OPTIONS = {
+    "method": word(*decisions.METHODS),
+    "model": word("auto", *decisions.MODELS),
+    "mesh": word("auto", *decisions.MESHES),
+    "resolution": number("a number from 0.25 to 16", lambda v: 0.25 <= v <= 16),
+    "cores": count(1),
+    "boundaryLayer": word("auto", "laminar", "wallFunction", "frictionLine", "none"),
+    "surfaceTension": word("auto", "on", "off"),
+    "soundSpeed": number("metres per second, above 0", lambda v: v > 0),
+}
+DEFAULTS: dict[str, Any] = {"method": "meshes", "model": "auto", "mesh": "auto", "tier": "fast", "resolution": 1, "cores": 2,
+                            "boundaryLayer": "auto", "surfaceTension": "auto", "soundSpeed": None}
+APPLICATIONS = {"meshes": "plungeFoam", "particles": "plungeSPH"}
+# How a body that is free to do so moves in a model that holds a part of it
+_MOTIONS = {"fixed": "prescribed", "prescribed": "prescribed", "axial": "axial", "planar": "planar", "free": "free"}
+
+
+@dataclass(frozen=True)
+class Case:
+    """A scene by a method: what plungeGenerated holds."""
+
+    scene: Scene
+    options: dict[str, Any]
+    decided: dict[str, Decision]
+    sections: list[tuple[str, dict[str, Any]]]
+
+    @property
+    def flat(self) -> dict[str, Any]:
+        return {k: v for _, entries in self.sections for k, v in entries.items()}
+
+    @property
+    def name(self) -> str:
+        """Of the run directory, unless one is given."""
+        o, flat = self.options, self.flat
+        asked = [o[key] for key in ("model", "mesh", "boundaryLayer") if o[key] != "auto"]
+        finer = [f"r{o['resolution']:g}"] if o["resolution"] != 1 else []
+        other = [o["method"]] if o["method"] != "meshes" else []
+        return "-".join([flat["fluids"], o["tier"], *asked[:1], *finer, *asked[1:], *other])
+
+    @property
+    def summary(self) -> list[str]:
+        """What was decided and why, for the user."""
+        scene, flat = self.scene, self.flat
+        way = f"at {scene.speed:g} m/s and {scene.angle:g} deg" if scene.speed else "from rest"
+        return [
+            f"{scene.given['body.shape']['type']} of {scene.shape.length:.4g} m and {scene.shape.max_diameter:.4g} m across, "
+            f"{scene.mass:.4g} kg{'/m' if scene.shape.dimensions == 2 else ''}, {scene.freedom}, {way}; fluids {scene.fluids_name}",
+            f"{flat['application']}, tier {self.options['tier']}, resolution {self.options['resolution']:g}, "
+            f"{scene.duration * 1e3:.4g} ms on {self.options['cores']} core(s)",
+            *scene.notes,
+            *flat["decisions"],
+        ]
+
+
+def parameters(path: Path, given: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any], dict[str, Any]]:
+    """Splits the command line's entries: options of the method, entries of the tier, entries of the scene."""
+    options = {k: v for k, v in given.items() if k in DEFAULTS}
+    tier = {k[len("tier."):]: v for k, v in given.items() if k.startswith("tier.")}
+    rest = {k: v for k, v in given.items() if k not in options and not k.startswith("tier.")}
+    for name, value in options.items():
+        if name in OPTIONS and not OPTIONS[name][1](value):
+            raise ParameterError(f"-{'np' if name == 'cores' else name} {value}: expected {OPTIONS[name][0]}")
+    return {**DEFAULTS, **options}, tier, rest
+
+
+def derive(path: Path, given: dict[str, Any] = {}) -> Case:
+    """A scene's file or case directory, and what the command line asks for (flat names), to all numbers of the dictionaries."""
+    options, tier_entries, entries = parameters(path, given)
+    scene = scenes.read(path, entries)
+    tier = tiers.read(options["tier"], tier_entries)
+    method = options["method"]
+    if options["soundSpeed"] is not None and method == "meshes":
+        raise ParameterError("-soundSpeed is of particles; expected -method particles with it")
+    model = decisions.model(scene, method, options["model"])
+    mesh = decisions.mesh(scene, method, model.choice, options["mesh"])
+    decided = {"model": model, **({"mesh": mesh} if method == "meshes" else {})}
+    if method == "meshes":
+        asked = meshes.Meshes(scene, tier, options["resolution"], options["cores"], model.choice, mesh.choice)
+        decided |= meshes.decide(asked, options["boundaryLayer"], options["surfaceTension"])
+        of_method = meshes.sections(asked, decided)
+        share = {"half": 0.5, "axisymmetric": sin(radians(SECTOR)) / (2 * pi)}.get(model.choice, 1.0)
+        turn = np.eye(3)
+    else:
+        asked = particles.Particles(scene, tier, options["resolution"], options["cores"], model.choice, options["soundSpeed"])
+        decided |= particles.decide(scene, options["boundaryLayer"], options["surfaceTension"])
+        of_method = particles.sections(asked)
+        share = particles.share(model.choice)
+        # plungeSPH's plane is x and y
+        turn = np.array([[1.0, 0, 0], [0, 0, 1], [0, -1, 0]]) if model.choice == "plane" else np.eye(3)
+    return Case(scene, options, decided, [*_common(scene, options, decided, share, turn), *of_method])
+
+
+def _common(scene: Scene, options: dict[str, Any], decided: dict[str, Decision], share: float,
+            turn: np.ndarray) -> list[tuple[str, dict[str, Any]]]:
+    """Sections that every method has; `turn` takes the scene's axes to the method's."""
+    fluids, shape = scene.fluids, scene.shape
+    inertia, _ = scene.principal
+    nose = scene.nose
+    motion = _MOTIONS[scene.freedom]
+    if motion == "free" and decided["model"].choice in ("half", "plane"):
+        motion = "planar"
+
+    def turned(values: Any) -> list[float]:
+        return vector(turn @ np.asarray(values, float))
+
+    return [
+        ("The scene", {
+            "application": APPLICATIONS[options["method"]],
+            "fluids": scene.fluids_name, "model": decided["model"].choice, "mesh": decided["mesh"].choice if "mesh" in decided else "none",
+            "tier": options["tier"], "resolution": options["resolution"],
+            "shape": scene.given["body.shape"]["type"], "bodyLength": shape.length, "thicknessRatio": shape.slenderness,
+            "bodyScale": scene.scale, "freedom": scene.freedom, "motion": motion,
+            "dimensions": 2 if decided["model"].choice == "plane" else 3,
+            "speed": scene.speed, "referenceSpeed": scene.reference_speed, "pathAngle": scene.angle, "gap": float(nose[2]),
+            "event": scene.given.get("until", "none"),
+        }),
+        ("Fluids", {
+            **fluids,
+            "liquidKinematicViscosity": fluids["liquidViscosity"] / fluids["liquidDensity"],
+            "gasKinematicViscosity": fluids["gasViscosity"] / fluids["gasDensity"],
+            "gravityVector": turned([0, 0, -fluids["gravity"]]),
+        }),
+        ("What is modelled, and why", decisions.sections(decided, scene, options["method"])),
+        ("The whole body, at t = 0", {
+            "bodyVolume": shape.volume, "bodyMass": scene.mass, "bodyMomentOfInertia": vector(inertia),
+            "noseRadius": shape.nose_radius, "centreOfMassFromNose": float(scene.centre[0]),
+            "nosePosition": turned(nose), "centreOfMass": turned(nose + scene.centre @ scene.place),
+            "forward": turned(scene.forward), "dorsal": turned(scene.dorsal), "side": turned([0, 1, 0]),
+            "orientation": vector((turn @ scene.orientation).ravel()),
+            "initialVelocity": turned(scene.speed * scene.heading), "heading": turned(scene.heading if scene.speed else [0, 0, -1]),
+            "angularMomentum": vector(share * scene.angular_momentum),
+        }),
+        ("What the model holds of it", {
+            "modelledMass": share * scene.mass,
+            "modelledMomentOfInertia": vector(share * inertia),
+            "modelledVolume": share * shape.volume,
+        }),
+    ]
+
+
+def _copy(source: Path, target: Path, without: tuple[str, ...] = ()) -> None:
+    if source.is_dir():
+        shutil.copytree(source, target, dirs_exist_ok=True, ignore=shutil.ignore_patterns(*without))
+
+
+def _copy_case(case: Case, run: Path) -> None:
+    """The method's dictionaries; over them, those of the scene's own case."""
+    method, flat = case.options["method"], case.flat
+    without: list[str] = []
+    if method == "meshes":
+        without += [] if flat["boundaryLayer"] == "wallFunction" else _TURBULENCE
+        without += [] if flat["mesh"] == "overset" else _OVERSET
+    for source in (TEMPLATES / "common", TEMPLATES / method):
+        _copy(source, run, tuple(without))
+    own = case.scene.folder
+    if case.scene.file.parent.name == "constant":
+        for part in ("0.orig", "constant", "system", "background"):
+            _copy(own / part, run / part, ("scene", "scene.*", "polyMesh", *without))
+
+
+def _write_scene(case: Case, run: Path) -> None:
+    """The effective scene; the shape's file goes with it."""
+    scene = case.scene
+    entries: dict[str, Any] = scenes.read_entries(scene.file, parameters(scene.file, _scene_overrides(case))[2])
+    shape = entries["body"]["shape"]
+    if "file" in shape:
+        source = scene.folder / shape["file"]
+        target = run / _SHAPE_FILES / source.name
+        target.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy2(source, target)
+        shape["file"] = f"{_SHAPE_FILES}/{source.name}"
+    foamDictionary.write_nested(run / "constant" / "scene", NOTE.replace("constant/scene", str(scene.file.name)), entries)
+
+
+def _scene_overrides(case: Case) -> dict[str, Any]:
+    return case.options.get("overrides", {})
+
+
+def _write_job(case: Case, path: Path, run: Path) -> None:
+    """Fill in the batch script: what it asks of the scheduler follows from the estimate."""
+    flat, cores = case.flat, case.options["cores"]
+    if case.options["method"] == "particles":
+        # Walls and layers of the tank and the body are about as many again; per particle and step, per particle
+        tasks, threads, number_, microseconds, kilobytes = 1, cores, 2 * flat["fluidParticles"], 4, 1
+    else:
+        # Per cell and step, per cell: twice what the fast tier takes
+        tasks, threads, number_, microseconds, kilobytes = cores, 1, flat["estimatedCells"], 60, 6
+    values = {
+        "name": run.name, "tasks": tasks, "threads": threads, "run": shlex.quote(str(run.resolve())),
+        "memoryPerCore": 500 + -(-number_ * kilobytes // 1000 // cores),
+        "hours": max(1, -(-number_ * flat["estimatedSteps"] * microseconds * 1e-6 // cores // 3600)),
+    }
+    text = (TEMPLATES / JOB).read_text()
+    for name, value in values.items():
+        text = text.replace(f"@{name}@", f"{value:.0f}" if isinstance(value, float) else str(value))
+    (run / JOB).write_text(text)
+
+
+def write(case: Case, run: Path, given: dict[str, Any]) -> bool:
+    """Make the run directory, unless it is there for the same scene. Was it made?"""
+    if any(character.isspace() for character in str(run.absolute())):
+        raise ParameterError(f"run directory '{run}': expected a path without spaces, which OpenFOAM does not take")
+    generated = run / GENERATED
+    flat = case.flat
+    if generated.exists():
+        here = foamDictionary.read(generated)
+        differing = [k for k, v in flat.items()
+                     if k != "decisions" and foamDictionary.format_value(here.get(k, "")) != foamDictionary.format_value(v)]
+        if differing:
+            raise ParameterError(
+                f"{run} holds another scene: {' '.join(differing[:_SHOWN])}{' ...' if len(differing) > _SHOWN else ''} differ in "
+                f"{generated}; choose another directory with -run, or remove this one")
+        return False
+    if run.exists() and any(run.iterdir()) and not (run / "constant").exists() and not (run / "system").exists():
+        raise ParameterError(f"{run} holds other files; expected a new directory, or one that plungeCase has made")
+    case.options["overrides"] = parameters(case.scene.file, given)[2]
+    _copy_case(case, run)
+    _write_scene(case, run)
+    allrun = run / "Allrun"
+    allrun.write_text(allrun.read_text().replace("@plungeDir@", str(TEMPLATES.parents[1])))
+    allrun.chmod(0o755)
+    _write_job(case, case.scene.file, run)
+    # Its presence says that the set-up is complete, so it comes last.
+    foamDictionary.write(generated, NOTE, case.sections)
+    return True

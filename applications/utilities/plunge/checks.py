@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Checks of a dictionary's entries, with errors that name the file, the entry and what was expected."""
+
+from __future__ import annotations
+
+from math import isfinite
+from typing import Any, Callable
+
+from plunge import foamDictionary
+
+
+class ParameterError(Exception):
+    """A value that cannot be used; the message names file, entry and what is expected."""
+
+
+Check = "tuple[str, Callable[[Any], bool]]"  # what is expected, and whether a value is that
+
+
+def number(expectation: str, holds: Callable[[float], bool] = lambda v: True) -> Check:
+    return (expectation, lambda v: isinstance(v, (int, float)) and not isinstance(v, bool) and isfinite(v) and holds(v))
+
+
+def triple(expectation: str, holds: Callable[[list], bool] = lambda v: True) -> Check:
+    each = number("")[1]
+    return (expectation, lambda v: isinstance(v, list) and len(v) == 3 and all(each(x) for x in v) and holds(v))
+
+
+def count(least: int) -> Check:
+    return (f"a whole number, at least {least}", lambda v: type(v) is int and v >= least)
+
+
+def word(*words: str) -> Check:
+    return ("one of: " + " ".join(words), lambda v: v in words)
+
+
+text: Check = ("a text", lambda v: isinstance(v, str))
+positive: Check = number("a number above 0", lambda v: v > 0)
+not_negative: Check = number("a number, 0 or above", lambda v: v >= 0)
+
+
+def flat(entries: dict[str, Any], prefix: str = "", keep: tuple[str, ...] = ()) -> dict[str, Any]:
+    """Entries of sub-dictionaries under names with dots; those in `keep` stay dictionaries."""
+    found: dict[str, Any] = {}
+    for key, value in entries.items():
+        if isinstance(value, dict) and prefix + key not in keep:
+            found.update(flat(value, f"{prefix}{key}.", keep))
+        else:
+            found[prefix + key] = value
+    return found
+
+
+def checked(entries: dict[str, Any], source: str, required: dict[str, Check], optional: dict[str, Check] = {}) -> dict[str, Any]:
+    """The entries, each of which is known and what is expected."""
+    known = {**required, **optional}
+    for key in entries:
+        if key not in known:
+            raise ParameterError(f"{source}: unknown entry '{key}'; expected: {' '.join(known)}")
+    for key, (expectation, holds) in known.items():
+        if key not in entries:
+            if key in required:
+                raise ParameterError(f"{source}: entry '{key}' is missing; expected {expectation}")
+        elif not holds(entries[key]):
+            found = foamDictionary.format_value(entries[key])
+            raise ParameterError(f"{source}: entry '{key}' is {found}; expected {expectation}")
+    return entries

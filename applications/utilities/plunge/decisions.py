@@ -1,0 +1,161 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What of a scene is computed, and why: dimension and symmetry, mesh, boundary layer, surface tension, compressibility."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from plunge import boundaryLayer
+from plunge.checks import ParameterError
+from plunge.scene import Scene
+
+METHODS = ("meshes", "particles")
+MODELS = ("plane", "axisymmetric", "quarter", "half", "full")
+MESHES = ("overset", "single")
+
+# Weber number above which surface tension acts on less than a millionth of the length, which no mesh resolves
+_HIGHEST_WEBER = 1e6
+# Mach number above which a flow's density changes by more than a twentieth
+_COMPRESSIBLE = 0.3
+
+
+@dataclass(frozen=True)
+class Decision:
+    """A choice and its reason."""
+
+    choice: str
+    reason: str
+
+
+def _is_vertical(scene: Scene) -> bool:
+    """Does a body of revolution move along its own, vertical axis?"""
+    return (abs(scene.angle) == 90 or scene.speed == 0) and abs(scene.forward[2]) > 1 - 1e-12 and "entry.sideslip" not in scene.given \
+        and np.hypot(*scene.centre[1:]) < 1e-9 * scene.shape.length
+
+
+def _breaks_half(scene: Scene) -> str:
+    """Why half of the body does not do; empty where it does."""
+    if not scene.shape.isSymmetric:
+        return "the body is not symmetric about its plane y = 0"
+    if "entry.sideslip" in scene.given and scene.given["entry.sideslip"] != 0:
+        return "sideslip"
+    if scene.spin[[0, 2]].any():
+        return "roll or yaw"
+    if abs(scene.centre[1]) > 1e-9 * scene.shape.length:
+        return "the centre of mass is off the plane y = 0"
+    return ""
+
+
+def model(scene: Scene, method: str, asked: str) -> Decision:
+    """Dimension and symmetry."""
+    plane = scene.shape.dimensions == 2
+    vertical = scene.shape.isRevolution and _is_vertical(scene) and not scene.spin.any()
+    straight = scene.freedom in ("fixed", "prescribed", "axial")
+    why_not_half = _breaks_half(scene)
+    source = f"{scene.source}: -model {asked}"
+    if asked != "auto":
+        if plane != (asked == "plane"):
+            raise ParameterError(f"{source}, but the shape {scene.given['body.shape']['type']} {'lies in a plane' if plane else 'is a body in space'}; "
+                                 f"expected {'auto or plane' if plane else 'auto, axisymmetric, half or full'}")
+        if asked in ("axisymmetric", "quarter") and not (vertical and straight):
+            reason = "the shape is none of revolution" if not scene.shape.isRevolution else \
+                "the body may leave its axis" if vertical else "the body does not move along its own, vertical axis"
+            raise ParameterError(f"{source}, but {reason}; expected half or full" + (", or freedom axial" if vertical else ""))
+        if asked == "axisymmetric" and method == "particles":
+            raise ParameterError(f"{source}, but particles have no axisymmetric model; expected auto, quarter, half or full")
+        if asked == "quarter" and method == "meshes":
+            raise ParameterError(f"{source}, but that is for particles; expected auto, axisymmetric, half or full")
+        if asked == "half" and why_not_half:
+            raise ParameterError(f"{source}, but {why_not_half}; expected full")
+        return Decision(asked, "as asked")
+    if plane:
+        return Decision("plane", "the shape lies in a plane")
+    if vertical and straight:
+        return Decision("axisymmetric" if method == "meshes" else "quarter", "a body of revolution moves along its own, vertical axis")
+    if not why_not_half:
+        return Decision("half", "nothing drives the body out of its plane of symmetry")
+    return Decision("full", why_not_half)
+
+
+def mesh(scene: Scene, method: str, modelled: str, asked: str) -> Decision:
+    """One mesh that moves with the body, or one about the body on a background."""
+    if method == "particles":
+        if asked not in ("auto", *MESHES):
+            raise ParameterError(f"-mesh {asked}: expected one of: auto {' '.join(MESHES)}")
+        return Decision("none", "particles have none")
+    if modelled in ("plane", "axisymmetric"):
+        if asked == "overset":
+            raise ParameterError(f"{scene.source}: -mesh overset, but the model is {modelled}, whose mesh moves with the body; expected "
+                                 "auto or single, or -model half or full")
+        return Decision("single", f"of the {modelled} model: it moves with the body")
+    if asked != "auto":
+        return Decision(asked, "as asked")
+    if scene.freedom == "fixed":
+        return Decision("single", "the body does not move")
+    return Decision("overset", "the body moves through the surface")
+
+
+def boundary_layer(scene: Scene, method: str, asked: str, first_layer: float) -> Decision:
+    """What is made of the boundary layer; `first_layer`: thickness of the mesh's first cells [m]."""
+    reynolds, length, transition = scene.reynolds, scene.shape.length, scene.transition
+    if method == "particles":
+        if asked not in ("auto", "none"):
+            raise ParameterError(f"-boundaryLayer {asked}: expected auto or none: plungeSPH has no boundary layer")
+        return Decision("none", "plungeSPH has none")
+    needed = boundaryLayer.resolving_layer(reynolds, length)
+    if asked == "laminar" and first_layer > needed:
+        raise ParameterError(
+            f"-boundaryLayer laminar, but the mesh's first layer is {first_layer:.3g} m and a laminar layer at Re = {reynolds:.3g} needs "
+            f"{needed:.3g} m; expected frictionLine, or a finer mesh")
+    if asked != "auto":
+        return Decision(asked, f"as asked; Re = {reynolds:.3g}")
+    if reynolds > transition:
+        return Decision("frictionLine", f"Re = {reynolds:.3g}, above transition at {transition:.3g}")
+    below = f"Re = {reynolds:.3g}, not above transition at {transition:.3g}"
+    if first_layer > needed:
+        return Decision("frictionLine", f"{below}, but the mesh's first layer is {first_layer:.3g} m and a laminar layer needs {needed:.3g} m")
+    return Decision("laminar", f"{below}, and the mesh resolves the layer")
+
+
+def surface_tension(scene: Scene, method: str, asked: str) -> Decision:
+    """Whether it acts: on or off."""
+    if method == "particles":
+        if asked == "on":
+            raise ParameterError("-surfaceTension on: expected auto or off: plungeSPH has none")
+        return Decision("off", "plungeSPH has none")
+    sigma = scene.fluids["surfaceTension"]
+    if sigma == 0:
+        if asked == "on":
+            raise ParameterError("-surfaceTension on, but the liquid has none; expected an entry surfaceTension of the fluids")
+        return Decision("off", "the liquid has none")
+    weber = scene.fluids["liquidDensity"] * scene.reference_speed**2 * scene.shape.length / sigma
+    if asked != "auto":
+        return Decision(asked, f"as asked; We = {weber:.3g}")
+    return Decision("off" if weber > _HIGHEST_WEBER else "on", f"We = {weber:.3g}")
+
+
+def compressibility(scene: Scene, method: str) -> Decision:
+    """Of the real fluids: none can be had yet."""
+    liquid, gas = (scene.reference_speed / scene.fluids[name] for name in ("liquidSoundSpeed", "gasSoundSpeed"))
+    numbers = f"Ma = {liquid:.3g} in the liquid, {gas:.3g} in the gas"
+    if max(liquid, gas) > _COMPRESSIBLE:
+        numbers += f": above {_COMPRESSIBLE:g} it matters, and cannot be had yet"
+    return Decision("artificial" if method == "particles" else "none", numbers)
+
+
+def described(**decisions: Decision) -> list[str]:
+    """A line for each."""
+    return [f"{name.replace('_', ' ')}: {decision.choice} ({decision.reason})" for name, decision in decisions.items()]
+
+
+def sections(decided: dict[str, Decision], scene: Scene, method: str) -> dict[str, Any]:
+    """Entries of plungeGenerated."""
+    return {
+        "boundaryLayer": decided["boundary_layer"].choice,
+        **({"transitionReynolds": scene.transition} if method == "meshes" else {}),
+        "surfaceTensionModelled": decided["surface_tension"].choice,
+        "decisions": described(**decided),
+    }

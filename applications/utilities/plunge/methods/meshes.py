@@ -1,0 +1,206 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""plungeFoam: sizes of the meshes, time steps, and an estimate of both."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from math import ceil
+from typing import Any
+
+import numpy as np
+
+from plunge import boundaryLayer, decisions
+from plunge.checks import ParameterError
+from plunge.decisions import Decision
+from plunge.meridianMesh import MeshSize, axial_cell_counts, first_layers, with_first_layer
+from plunge.scene import Scene
+from plunge.shapes import Curve
+
+# Nose radius over the scale of the body that the tiers' noseSpacing is for: NACA-0010
+_NOSE_RADIUS = 0.01102
+# Of a body mesh without a background: how far it reaches, in body scales, and its outer layers over the tier's layers. What a body
+# in the plane sets in motion reaches furthest.
+_SINGLE_REACH = {"half": 1.6, "full": 1.6, "axisymmetric": 3.2, "plane": 6.0}
+_SINGLE_OUTER_LAYERS = {"half": 1.5, "full": 1.5, "axisymmetric": 1.5, "plane": 2.0}
+# Pressure corrections: the flow at the corners of blunt bodies wants a second one
+_CORRECTIONS = {"half": 1, "full": 1, "axisymmetric": 2, "plane": 2}
+
+
+@dataclass(frozen=True)
+class Meshes:
+    """What is asked for of the meshes of a scene."""
+
+    scene: Scene
+    tier: dict[str, Any]
+    resolution: float
+    cores: int
+    model: str
+    mesh: str
+
+    @property
+    def refinement(self) -> float:
+        """Of counts in every direction; a model in the plane or of a sector can afford more."""
+        return self.resolution * (self.tier["planeRefinement"] if self.model in ("axisymmetric", "plane") else 1)
+
+    @property
+    def curve(self) -> Curve:
+        shape = self.scene.shape
+        return shape.upper if shape.dimensions == 2 else shape.curve
+
+    @property
+    def revolved(self) -> bool:
+        """Does the body mesh follow a meridian?"""
+        return self.scene.shape.dimensions == 2 or self.scene.shape.isRevolution
+
+    def size(self) -> MeshSize:
+        """The body mesh's [m]; counts grow with the refinement, spacings shrink, the outer surface stays."""
+        scale, tier, refinement = self.scene.scale, self.tier, self.refinement
+        unit = scale / refinement
+        blunt = max(1.0, self.scene.shape.nose_radius / (_NOSE_RADIUS * scale))
+        size = MeshSize(
+            cap_cells=round(tier["capCells"] * refinement),
+            ring_cells=max(1, round(tier["ringCells"] * refinement)),
+            axial_cells=(),
+            layers=round(tier["layers"] * refinement), outer_layers=0,
+            nose_spacing=min(tier["noseSpacing"] * blunt, tier["bodySpacing"]) * unit, body_spacing=tier["bodySpacing"] * unit,
+            tail_spacing=tier["tailSpacing"] * unit, corner_spacing=tier["noseSpacing"] * unit, growth=tier["growth"] / refinement,
+            offset=tuple(scale * d for d in tier["offset"]), stretching=tuple(tier["stretching"]), reach=0.0,
+        )
+        size = replace(size, axial_cells=axial_cell_counts(self.curve, size))
+        if self.mesh == "single":
+            size = replace(size, outer_layers=round(_SINGLE_OUTER_LAYERS[self.model] * size.layers),
+                           reach=_SINGLE_REACH[self.model] * scale)
+        return size
+
+
+def cores_split(cores: int, flat: bool) -> list[int]:
+    """Ranks in x, y and z: cut across the path, z, first, since the cuts there are the smallest; a flat model is not cut across y."""
+    area = (0.5, 1.2, 0.15)  # of a cut across x, y, z in the region of fine cells, relative
+    splits = [[i, j, cores // i // j] for i in range(1, cores + 1) if cores % i == 0
+              for j in range(1, cores // i + 1) if cores // i % j == 0 and (j == 1 or not flat)]
+    return min(splits, key=lambda split: sum(n * a for n, a in zip(split, area)))
+
+
+def vector(values: Any) -> list[float]:
+    """A list of floats, without -0 and without the cosine of a right angle."""
+    return [float(x) + 0.0 if abs(x) > 1e-15 else 0.0 for x in values]
+
+
+@dataclass(frozen=True)
+class _Background:
+    """The background mesh of an overset one, and the number of its cells."""
+
+    entries: dict[str, Any]
+    cells: float
+
+
+def _background(meshes: Meshes, offset: float) -> _Background:
+    scene, tier, resolution = meshes.scene, meshes.tier, meshes.resolution
+    scale, full = scene.scale, meshes.model == "full"
+    ends = np.array([scene.nose - scene.shape.length * scene.forward, scene.nose, scene.end,
+                     scene.end - scene.shape.length * scene.forward])
+    start, end = ends[0], ends[2]
+
+    # The domain is a whole number of unrefined cells, with a cell face on z = 0.
+    cell = tier["backgroundSpacing"] * scale
+
+    def cells(distance: float) -> int:
+        return ceil(distance / cell - 1e-9)
+
+    def refined(count: float) -> int:
+        return max(1, round(count * resolution))
+
+    x_low, x_high = -cells(1.5 * scale - ends[:, 0].min()), cells(1.5 * scale + ends[:, 0].max())
+    y_high = cells(1.5 * scale + np.abs(ends[:, 1]).max())
+    z_low, z_high = -cells(1.5 * scale - min(0.0, ends[:, 2].min())), cells(max(0.0, ends[:, 2].max()) + 0.5 * scale)
+    counts = [refined(x_high - x_low), refined(y_high) * (2 if full else 1), refined(-z_low) + refined(z_high)]
+
+    # Shells about the path, finest innermost; each coarser one is four of its cells wide.
+    radius = scene.shape.max_diameter / 2 + offset + 0.05 * scale
+    shells = []
+    for level in range(tier["refinementLevels"], 0, -1):
+        shells.append([radius, level])
+        radius += 4 * cell / 2 ** (level - 1)
+
+    share_of_shell = 1 if full else 0.5
+    path_length = float(np.linalg.norm(end - start))
+    count = (x_high - x_low) * y_high * (2 if full else 1) * (z_high - z_low) * resolution**3
+    for reach, level in shells:
+        volume = share_of_shell * np.pi * reach**2 * (path_length + 4 / 3 * reach)
+        count += 7 / 8 * volume / (cell / 2**level / resolution) ** 3
+    return _Background({
+        "xMin": x_low * cell, "xMax": x_high * cell, "yMin": -y_high * cell if full else 0.0,
+        "yMax": y_high * cell, "zMin": z_low * cell, "zMax": z_high * cell,
+        "xCells": counts[0], "yCells": counts[1],
+        "zCellsLiquid": refined(-z_low), "zCellsGas": refined(z_high),
+        "pathStart": vector(start), "pathEnd": vector(end),
+        "finestSpacing": cell / 2 ** tier["refinementLevels"] / resolution,
+        "refinementShells": shells,
+    }, float(count))
+
+
+def body_cells(size: MeshSize, model: str) -> int:
+    """Of a body mesh that follows a meridian."""
+    layers, along = size.layers + size.outer_layers, sum(size.axial_cells)
+    if model in ("axisymmetric", "plane"):
+        return along * layers * (2 if model == "plane" else 1)
+    quads = 4 * size.cap_cells * (along - 2 * (size.cap_cells + size.ring_cells)) \
+        + 2 * (2 * size.cap_cells**2 + 4 * size.cap_cells * size.ring_cells)
+    return quads * layers * (2 if model == "full" else 1)
+
+
+def sections(meshes: Meshes, decided: dict[str, Decision]) -> list[tuple[str, dict[str, Any]]]:
+    """What the meshes and time steps need."""
+    scene, tier, resolution = meshes.scene, meshes.tier, meshes.resolution
+    size, length, speed = meshes.size(), scene.shape.length, scene.reference_speed
+    turbulence = []
+    if decided["boundary_layer"].choice == "wallFunction":
+        wanted = boundaryLayer.wall_function_layer(scene.reynolds, length)
+        size = with_first_layer(size, wanted)
+        low, high = boundaryLayer.WALL_DISTANCES
+        y_plus = boundaryLayer.WALL_DISTANCE * first_layers(size)[1] / wanted
+        if not low <= y_plus <= high:
+            raise ParameterError(
+                f"-boundaryLayer wallFunction, but first cells would be at y+ = {y_plus:.3g} at Re = {scene.reynolds:.3g}; expected "
+                f"{low} to {high}, or frictionLine")
+        k, omega = boundaryLayer.free_stream(speed, length)
+        turbulence = [("Turbulence of the undisturbed fluids, too weak to act on the flow: intensity 0.033 %, "
+                       "eddy viscosity 4e-7 speed length", {"freeStreamK": k, "freeStreamOmega": omega})]
+
+    background = _background(meshes, max(size.offset)) if meshes.mesh == "overset" else None
+    cells = body_cells(size, meshes.model) + (background.cells if background else 0)
+    # By the flow about the nose: what dives of the fast tier take on average
+    limit = tier["maxDeltaT"] * scene.scale / speed / resolution
+    time_step = min(0.45 * tier["maxCo"] * size.nose_spacing / speed, limit)
+
+    return [
+        ("Body mesh", {
+            "capCells": size.cap_cells, "ringCells": size.ring_cells, "axialCells": list(size.axial_cells),
+            "layers": size.layers, "outerLayers": size.outer_layers,
+            "noseSpacing": size.nose_spacing, "bodySpacing": size.body_spacing,
+            "tailSpacing": size.tail_spacing, "cornerSpacing": size.corner_spacing, "spacingGrowth": size.growth,
+            "offset": list(size.offset), "stretching": list(size.stretching), "reach": size.reach,
+        }),
+        *([("Background mesh", background.entries)] if background else []),
+        *turbulence,
+        ("Run", {
+            "cores": meshes.cores, "estimatedCells": round(cells, -3) or round(cells),
+            "estimatedSteps": round(scene.duration / time_step, -1),
+            "coresSplit": cores_split(meshes.cores, meshes.model in ("axisymmetric", "plane")),
+            "pressureCorrections": _CORRECTIONS[meshes.model],
+            "diveDuration": scene.duration, "frameInterval": scene.duration / scene.frames,
+            "initialDeltaT": min(0.05 * size.nose_spacing / speed, limit, 0.1 * scene.duration),
+            "deltaTLimit": limit, "courantLimit": tier["maxCo"],
+            "interfaceCourantLimit": tier["maxAlphaCo"],
+        }),
+    ]
+
+
+def decide(meshes: Meshes, boundary_layer: str, surface_tension: str) -> dict[str, Decision]:
+    """What the flow holds."""
+    scene = meshes.scene
+    return {
+        "boundary_layer": decisions.boundary_layer(scene, "meshes", boundary_layer, first_layers(meshes.size())[1]),
+        "surface_tension": decisions.surface_tension(scene, "meshes", surface_tension),
+        "compressibility": decisions.compressibility(scene, "meshes"),
+    }

@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""plungeSPH: the tank of liquid about the path, the particles' spacing and speed of sound."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import ceil, sqrt
+from typing import Any
+
+import numpy as np
+
+from plunge import decisions
+from plunge.decisions import Decision
+from plunge.methods.meshes import vector
+from plunge.scene import Scene
+
+# Half width of the particles' liquid about the path and its depth below it, the part of these that absorbs, and the height
+# of the tank above the surface, in body scales.
+_REACH, _ABSORBING, _FREEBOARD = 0.35, 0.1, 0.1
+# Least half width and depth over the body's largest radius
+_LEAST_REACH = 3.5
+# c0 over the highest speed that the body could fall at, unless given: eq. 5 of IAC-20-E2.1.9
+_SOUND_OVER_SPEED = 10
+# Its steps, for the estimate: plungeSPH's Courant number, over h/(c0 + speed), and h over the spacing
+_COURANT, _SMOOTHING_LENGTH = 0.5, 1.5
+# Rows of the tables
+_TABLE_ROWS = 450
+
+
+@dataclass(frozen=True)
+class Particles:
+    """What is asked for of the particles of a scene."""
+
+    scene: Scene
+    tier: dict[str, Any]
+    resolution: float
+    cores: int
+    model: str
+    sound_speed: "float | None" = None
+
+    @property
+    def spacing(self) -> float:
+        """[m]"""
+        return self.tier["particleSpacing"] * self.scene.scale / self.resolution / (
+            self.tier["planeRefinement"] if self.model == "plane" else 1)
+
+
+def sections(particles: Particles) -> list[tuple[str, dict[str, Any]]]:
+    """A box of liquid about the path, a whole number of spacings in each direction."""
+    scene, spacing, model = particles.scene, particles.spacing, particles.model
+    scale, full, plane, quarter = scene.scale, model == "full", model == "plane", model == "quarter"
+
+    def spacings(distance: float) -> int:
+        return ceil(distance / spacing - 1e-9)
+
+    reach = max(_REACH * scale, _LEAST_REACH * scene.shape.max_diameter / 2)
+    if plane:
+        reach *= 2
+    start, end = scene.nose - scene.shape.length * scene.forward, scene.end
+    # The nose enters at x = 0; what of the body is above the surface meets no liquid.
+    x_low = min(0.0, end[0], start[0] if scene.immersed else 0.0)
+    low = [0 if quarter else -spacings(reach - x_low), -spacings(reach) if full else 0,
+           -spacings(reach + max(0.0, -min(end[2], start[2] if scene.immersed else end[2], scene.nose[2])))]
+    high = [spacings(reach + max(end[0], start[0] if scene.immersed else end[0], 0.0)), spacings(reach), 0]
+    count = int(np.prod([h - l for axis, (l, h) in enumerate(zip(low, high)) if not (plane and axis == 1)]))
+    fall = max(0.0, scene.nose[2] - end[2])
+    fastest = sqrt(scene.speed**2 + 2 * scene.fluids["gravity"] * fall)
+    c0 = float(particles.sound_speed or _SOUND_OVER_SPEED * fastest)
+    top = spacings(_FREEBOARD * scale)
+
+    axial, transverse, rotary = scene.shape.added_mass_coefficients()
+    displaced = share(model) * scene.fluids["liquidDensity"]
+    mass = displaced * scene.shape.volume
+    inertia = displaced * float(np.asarray(scene.shape.inertia)[1, 1])
+
+    box = {"liquidMin": low, "liquidMax": high, "tankMax": [*high[:2], top]}
+    if plane:  # plungeSPH's plane is x and y
+        box = {name: [corner[0], corner[2], 0] for name, corner in box.items()}
+    absorbing = ["left", "right", "front", "back", "bottom"]
+    if quarter:
+        absorbing = ["right", "back", "bottom"]
+    elif plane:
+        absorbing = ["left", "right", "bottom"]
+    elif not full:
+        absorbing.remove("front")
+    return [
+        # plungeFoam computes it from the flow
+        ("What the liquid adds to the immersed body: an estimate for the coupling, which does not change its result", {
+            "addedMassEstimate": [axial * mass, transverse * mass, transverse * mass],
+            "addedInertiaEstimate": [0.0, rotary * inertia, rotary * inertia],
+        }),
+        ("Particles", {
+            "particleSpacing": spacing,
+            **{name: vector(np.multiply(corner, spacing)) for name, corner in box.items()},
+            "tankOpen": {"half": ["front", "top"], "quarter": ["left", "front", "top"]}.get(model, ["top"]),
+            "absorbingFaces": absorbing,
+            "absorbingThickness": _ABSORBING * scale,
+            "particleSoundSpeed": c0,
+        }),
+        ("Run", {
+            "cores": particles.cores, "fluidParticles": count,
+            "estimatedSteps": round(scene.duration * (c0 + scene.reference_speed) / (_COURANT * _SMOOTHING_LENGTH * spacing), -1),
+            "diveDuration": scene.duration, "frameInterval": scene.duration / scene.frames,
+            "tableInterval": scene.duration / _TABLE_ROWS,
+        }),
+    ]
+
+
+def share(model: str) -> float:
+    """Of the body that a model of particles holds."""
+    return {"half": 0.5, "quarter": 0.25}.get(model, 1.0)
+
+
+def decide(scene: Scene, boundary_layer: str, surface_tension: str) -> dict[str, Decision]:
+    """What the flow holds."""
+    return {
+        "boundary_layer": decisions.boundary_layer(scene, "particles", boundary_layer, 0.0),
+        "surface_tension": decisions.surface_tension(scene, "particles", surface_tension),
+    }

@@ -1,0 +1,362 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A scene: what happens, whatever method computes it. Read from constant/scene of a case."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from functools import cached_property
+from math import cos, radians, sin, sqrt
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from plunge import fluids as fluid_pairs
+from plunge import foamDictionary
+from plunge.checks import Check, ParameterError, checked, count, flat, not_negative, number, positive, triple, word
+from plunge.shapes import Shape, ShapeError, read_shape
+
+FREEDOMS = ("fixed", "prescribed", "axial", "planar", "free")
+EVENTS = ("immersed", "atRest", "leftTheLiquid")
+
+_BODY: dict[str, Check] = {"freedom": word(*FREEDOMS)}
+_BODY_OPTIONAL: dict[str, Check] = {
+    "mass": positive,
+    "density": positive,
+    "centreOfMass": ("metres aft of the nose, or three numbers: (aft, to the side, dorsal)",
+                     lambda v: number("")[1](v) or triple("")[1](v)),
+    "momentOfInertia": triple("three numbers above 0: (roll pitch yaw)", lambda v: all(x > 0 for x in v)),
+}
+_ENTRY: dict[str, Check] = {
+    "speed": not_negative,
+    "drop": positive,
+    "angle": number("degrees to the surface, from -90 to 90; below 0 it rises", lambda v: -90 <= v <= 90),
+    "gap": positive,
+    "depth": positive,
+    "attitude": number("degrees of the body's axis below the horizontal, from -180 to 180", lambda v: -180 <= v <= 180),
+    "sideslip": number("degrees, from -90 to 90", lambda v: -90 < v < 90),
+    "spin": triple("three numbers: (roll pitch yaw) [rad/s]"),
+}
+_END: dict[str, Check] = {"duration": positive, "travel": positive, "until": word(*EVENTS)}
+_OTHER: dict[str, Check] = {"transitionReynolds": not_negative, "frames": count(1)}
+_TOP = ("body", "fluids", "entry", *_END, *_OTHER)
+
+# Height of the lowest point above the surface at the start, in body scales, unless given
+_GAP = 0.01
+# Until an event, at most: way in body lengths beyond the gap
+_LONGEST = 4.0
+_FRAMES = 10
+_TRANSITION = 5e5  # Reynolds number of a flat plate's transition in a stream that is not still
+
+
+@dataclass(frozen=True)
+class Scene:
+    """The checked entries of a scene, and what follows from them (SI units). Earth axes: z up from the undisturbed surface; the path
+    lies in x and z and enters the liquid at x = 0."""
+
+    given: dict[str, Any]   # flat, e.g. entry.speed; body.shape stays a dictionary
+    file: Path
+    source: str             # for messages
+    shape: Shape
+    fluids: dict[str, Any]
+    fluids_name: str
+    notes: list[str] = field(default_factory=list)
+
+    @property
+    def folder(self) -> Path:
+        """What the scene's file names are seen from: the case, or the directory of a scene file by itself."""
+        return folder_of(self.file)
+
+    @property
+    def scale(self) -> float:
+        """Length that meshes and domains go with [m]: that of a body of this shape's length and width that were as slender as 0.1."""
+        return self.shape.length * (10 * self.shape.slenderness) ** (1 / 3)
+
+    @cached_property
+    def speed(self) -> float:
+        """At the start [m/s]"""
+        if "entry.drop" in self.given:
+            return sqrt(2 * self.fluids["gravity"] * self.given["entry.drop"])
+        return float(self.given.get("entry.speed", 0.0))
+
+    @property
+    def reference_speed(self) -> float:
+        """For dimensionless numbers [m/s]: at the start, or what gravity gives over the body's length and the gap."""
+        height = self.shape.length + max(0.0, self.lowest)
+        return self.speed or sqrt(2 * max(self.fluids["gravity"], 1e-3) * height)
+
+    @property
+    def angle(self) -> float:
+        """Of the path to the surface [deg]"""
+        return float(self.given.get("entry.angle", 90.0))
+
+    @property
+    def freedom(self) -> str:
+        return self.given["body.freedom"]
+
+    @property
+    def transition(self) -> float:
+        """Reynolds number of the boundary layer's transition"""
+        return float(self.given.get("transitionReynolds", _TRANSITION))
+
+    @property
+    def frames(self) -> int:
+        """Times at which fields are written"""
+        return self.given.get("frames", _FRAMES)
+
+    @property
+    def reynolds(self) -> float:
+        """Of the liquid, the body's length and its speed."""
+        return self.fluids["liquidDensity"] * self.reference_speed * self.shape.length / self.fluids["liquidViscosity"]
+
+    @cached_property
+    def forward(self) -> np.ndarray:
+        angle = radians(self.given.get("entry.attitude", self.angle))
+        return np.array([cos(angle), 0.0, -sin(angle)])
+
+    @cached_property
+    def dorsal(self) -> np.ndarray:
+        angle = radians(self.given.get("entry.attitude", self.angle))
+        return np.array([sin(angle), 0.0, cos(angle)])
+
+    @property
+    def place(self) -> np.ndarray:
+        """Directions of the body frame's axes (aft, y, dorsal), as rows."""
+        return np.array([-self.forward, [0.0, 1.0, 0.0], self.dorsal])
+
+    @cached_property
+    def heading(self) -> np.ndarray:
+        """Direction of the velocity"""
+        angle, slip = radians(self.angle), radians(self.given.get("entry.sideslip", 0.0))
+        along = np.array([cos(angle), 0.0, -sin(angle)])
+        return along if slip == 0 else cos(slip) * along + sin(slip) * np.array([0.0, 1.0, 0.0])
+
+    @property
+    def spin(self) -> np.ndarray:
+        """About the forward axis, y and the dorsal axis [rad/s]"""
+        return np.array(self.given.get("entry.spin", [0.0, 0.0, 0.0]), float)
+
+    @cached_property
+    def _below_nose(self) -> float:
+        """How far the body reaches below its nose [m]"""
+        points, _ = self.shape.surface()
+        return float(max(0.0, -(points @ self.place)[:, 2].min()))
+
+    @cached_property
+    def nose(self) -> np.ndarray:
+        """At the start [m]"""
+        if "entry.depth" in self.given:
+            centre = self.shape.centre @ self.place
+            return np.array([0.0, 0.0, -self.given["entry.depth"]]) - centre
+        gap = self.given.get("entry.gap", _GAP * self.scale + self._below_nose)
+        return np.array([0.0, 0.0, gap])
+
+    @property
+    def lowest(self) -> float:
+        """Height of the body's lowest point at the start [m]"""
+        return float(self.nose[2] - self._below_nose)
+
+    @property
+    def immersed(self) -> bool:
+        """Does it start in the liquid?"""
+        return "entry.depth" in self.given
+
+    # --- mass properties of the whole body; in the plane, per metre
+
+    @property
+    def mass(self) -> float:
+        return self.given["body.mass"] if "body.mass" in self.given else self.given["body.density"] * self.shape.volume
+
+    @property
+    def centre(self) -> np.ndarray:
+        """Centre of mass in the body frame [m]"""
+        given = self.given.get("body.centreOfMass")
+        if given is None:
+            return np.asarray(self.shape.centre)
+        return np.array([given, 0.0, 0.0] if not isinstance(given, list) else given, float)
+
+    @cached_property
+    def principal(self) -> tuple[np.ndarray, np.ndarray]:
+        """Moments of inertia about the centre of mass [kg m2], and their axes as columns in (forward, y, dorsal). They are those of
+        a uniform body, unless given."""
+        if "body.momentOfInertia" in self.given:
+            return np.array(self.given["body.momentOfInertia"], float), np.eye(3)
+        tensor = np.array(self.shape.inertia, float) * (self.mass / self.shape.volume)
+        flip = np.diag([-1.0, 1.0, 1.0])  # aft to forward
+        tensor = flip @ tensor @ flip
+        off = np.abs(tensor - np.diag(np.diag(tensor))).max()
+        if off <= 1e-6 * np.diag(tensor).max():
+            return np.diag(tensor).copy(), np.eye(3)
+        values, axes = np.linalg.eigh(tensor)
+        # The axis nearest to forward first, to y second
+        order = [int(np.argmax(np.abs(axes[0])))]
+        order.append(max((k for k in range(3) if k not in order), key=lambda k: abs(axes[1, k])))
+        order.append(3 - sum(order))
+        axes = axes[:, order]
+        axes *= np.sign(np.diag(axes))
+        return values[order], axes
+
+    @property
+    def orientation(self) -> np.ndarray:
+        """Principal axes as columns in earth axes"""
+        return np.column_stack((self.forward, [0, 1, 0], self.dorsal)) @ self.principal[1]
+
+    @property
+    def angular_momentum(self) -> np.ndarray:
+        """At the start, about the principal axes [kg m2/s]"""
+        inertia, axes = self.principal
+        return inertia * (axes.T @ self.spin)
+
+    # --- how long
+
+    @property
+    def duration(self) -> float:
+        """[s]; of a scene that ends with an event, the longest"""
+        if "duration" in self.given:
+            return float(self.given["duration"])
+        if "travel" in self.given:
+            return self.given["travel"] * self.shape.length / self.reference_speed
+        way = max(0.0, self.lowest) + _LONGEST * self.shape.length
+        return way / self.reference_speed
+
+    @property
+    def end(self) -> np.ndarray:
+        """Of the nose, if nothing slowed the body [m]"""
+        if self.speed == 0:
+            # Falls by its weight, or rises by its buoyancy
+            away = 0.5 * self.fluids["gravity"] * self.duration**2
+            return self.nose - [0.0, 0.0, min(away, _LONGEST * self.shape.length + max(0.0, self.lowest))]
+        if "travel" in self.given:
+            return self.nose + self.given["travel"] * self.shape.length * self.heading
+        return self.nose + self.speed * self.duration * self.heading
+
+
+def folder_of(file: Path) -> Path:
+    """CASE of CASE/constant/scene; the directory of any other file."""
+    parent = file.resolve().parent
+    return parent.parent if parent.name == "constant" else parent
+
+
+def find(path: Path) -> Path:
+    """The scene's file: a case directory's, or the file itself."""
+    file = path / "constant" / "scene" if path.is_dir() else path
+    if not file.is_file():
+        raise ParameterError(f"{path}: expected a scene: a case directory with constant/scene, or a scene file")
+    return file
+
+
+def _nested(entries: dict[str, Any], name: str, value: Any) -> None:
+    """Set an entry by its flat name."""
+    *outer, last = name.split(".")
+    for key in outer:
+        entries = entries.setdefault(key, {})
+        if not isinstance(entries, dict):
+            raise ParameterError(f"-set {name}={value}: {key} is no dictionary")
+    entries[last] = value
+
+
+def read_entries(path: Path, overrides: dict[str, Any]) -> dict[str, Any]:
+    """The entries of a scene's file; `overrides` (flat names) take the place of the file's."""
+    entries = foamDictionary.read(path)
+    for name, value in overrides.items():
+        if name == "entry.speed" and isinstance(entries.get("entry"), dict):
+            entries["entry"].pop("drop", None)
+        if name in _END:
+            for other in _END:
+                if other != "until":
+                    entries.pop(other, None)
+        if name in ("body.mass", "body.density") and isinstance(entries.get("body"), dict):
+            for other in ("mass", "density"):
+                entries["body"].pop(other, None)
+        _nested(entries, name, value)
+    return entries
+
+
+def read(path: Path, overrides: dict[str, Any] = {}) -> Scene:
+    """Read and check a scene with a body. Errors name the file, the entry and what was expected."""
+    file = find(path)
+    entries = read_entries(file, overrides)
+    source = f"{file} (or the command line)" if overrides else str(file)
+    for key in entries:
+        if key not in _TOP:
+            raise ParameterError(f"{source}: unknown entry '{key}'; expected: {' '.join(_TOP)}")
+    body = entries.get("body")
+    if not isinstance(body, dict):
+        raise ParameterError(f"{source}: entry 'body' is {'missing' if body is None else foamDictionary.format_value(body)}; expected "
+                             "body { shape { type ...; } density ...; freedom free; }")
+    if "shape" not in body and any(isinstance(value, dict) and "shape" in value for value in body.values()):
+        raise ParameterError(f"{source}: entry 'body' holds several bodies, {' '.join(body)}; expected one: more than one is not "
+                             "possible yet")
+    if "fluids" not in entries:
+        raise ParameterError(f"{source}: entry 'fluids' is missing; expected a pair such as water or titan, or "
+                             "{ liquid water; gas earthAir; gravity 9.81; }")
+    given = flat({k: v for k, v in entries.items() if k != "fluids"}, keep=("body.shape",))
+    shape_entries = given.pop("body.shape", None)
+    checked(given, source,
+            {f"body.{k}": v for k, v in _BODY.items()},
+            {**{f"body.{k}": v for k, v in _BODY_OPTIONAL.items()}, **{f"entry.{k}": v for k, v in _ENTRY.items()}, **_END, **_OTHER})
+
+    def one_of(*names: str, wanted: str, needed: bool = True) -> None:
+        there = [name for name in names if name in given]
+        if len(there) > 1:
+            raise ParameterError(f"{source}: entries '{there[0]}' and '{there[1]}' are both given; expected one of them")
+        if needed and not there:
+            raise ParameterError(f"{source}: entry '{names[0]}' is missing; expected {wanted}")
+
+    one_of("entry.speed", "entry.drop", wanted="the speed at the start [m/s], or drop, the height of a fall to it [m]")
+    one_of("entry.gap", "entry.depth", wanted="", needed=False)
+    one_of("duration", "travel", wanted="", needed=False)
+    if not any(name in given for name in _END):
+        raise ParameterError(f"{source}: entry 'duration' is missing; expected duration [s], travel [body lengths at the initial "
+                             f"speed] or until, one of: {' '.join(EVENTS)}")
+    if given["body.freedom"] not in ("fixed", "prescribed"):
+        one_of("body.mass", "body.density", wanted="mass [kg], or density, that of the body as a whole [kg/m3]")
+    else:
+        one_of("body.mass", "body.density", wanted="", needed=False)
+
+    try:
+        shape = read_shape(shape_entries, folder_of(file), source)
+    except ShapeError as error:
+        raise ParameterError(str(error)) from None
+    name, fluids = fluid_pairs.resolve(entries["fluids"], source)
+    if "body.mass" not in given and "body.density" not in given:
+        given["body.density"] = fluids["liquidDensity"]  # moves as prescribed, whatever its mass
+    scene = Scene({**given, "body.shape": shape_entries}, file, source, shape, fluids, name, list(shape.notes))
+    _check_consistency(scene)
+    return scene
+
+
+def _check_consistency(scene: Scene) -> None:
+    given, source, shape = scene.given, scene.source, scene.shape
+    centre = scene.centre
+    points, _ = shape.surface()
+    if (centre < points.min(axis=0) - 1e-9).any() or (centre > points.max(axis=0) + 1e-9).any():
+        raise ParameterError(f"{source}: entry 'body.centreOfMass' is {foamDictionary.format_value(given['body.centreOfMass'])}; expected "
+                             f"metres aft of the nose, inside the body, which spans {_span(points)}")
+    if scene.freedom == "fixed" and (scene.speed > 0 or scene.spin.any()):
+        raise ParameterError(f"{source}: entry 'body.freedom' is fixed, but the body has a speed or a spin; expected speed 0, or freedom "
+                             "prescribed")
+    if scene.speed == 0 and "travel" in given:
+        raise ParameterError(f"{source}: entry 'travel' is given, but the speed is 0; expected duration")
+    if scene.speed == 0 and scene.fluids["gravity"] == 0 and "duration" not in given and scene.freedom not in ("fixed",):
+        raise ParameterError(f"{source}: the body is at rest without gravity; expected duration")
+    if scene.freedom == "axial" and scene.spin[1:].any():
+        raise ParameterError(f"{source}: entry 'entry.spin' turns the body, which freedom axial does not allow; expected planar or free")
+    if not scene.immersed:
+        if scene.lowest <= 0:
+            raise ParameterError(f"{source}: entry 'entry.gap' is {given['entry.gap']:g}, but the body reaches {scene._below_nose:.4g} m "
+                                 "below its nose; expected more than that, or depth for a body that starts in the liquid")
+        if scene.speed > 0 and scene.heading[2] >= 0:
+            raise ParameterError(f"{source}: entry 'entry.angle' is {scene.angle:g}, so that the body does not come down; expected an "
+                                 "angle above 0, or depth for a body that starts in the liquid")
+        if scene.freedom == "fixed":
+            raise ParameterError(f"{source}: entry 'body.freedom' is fixed, but the body is above the liquid; expected depth")
+        if scene.speed == 0 and scene.freedom == "prescribed":
+            raise ParameterError(f"{source}: entry 'body.freedom' is prescribed and the speed is 0 above the liquid; expected a speed")
+    if shape.dimensions == 2 and "entry.sideslip" in given:
+        raise ParameterError(f"{source}: entry 'entry.sideslip' is given, but the shape lies in a plane; expected no such entry")
+
+
+def _span(points: np.ndarray) -> str:
+    low, high = points.min(axis=0), points.max(axis=0)
+    return f"({' '.join(f'{v:.4g}' for v in low)}) to ({' '.join(f'{v:.4g}' for v in high)})"
