@@ -441,16 +441,24 @@ def _mirrored(half: VolumeMesh) -> VolumeMesh:
 _NODES = 100    # entity that holds all nodes
 
 
-def _by_type(cells: np.ndarray) -> list[tuple[int, np.ndarray]]:
+def _by_type(cells: np.ndarray, points: np.ndarray) -> list[tuple[int, np.ndarray]]:
     """gmsh's element types and elements of quadrilaterals or hexahedra, some of which are collapsed to triangles or prisms."""
     triangle, quadrilateral, hexahedron, prism = 2, 3, 5, 6
     if cells.shape[1] == 4:
-        low, high = cells[:, 0] == cells[:, 1], cells[:, 2] == cells[:, 3]
-        found = [(quadrilateral, cells[~low & ~high]), (triangle, cells[low][:, [1, 2, 3]]), (triangle, cells[high][:, [0, 1, 2]])]
+        repeats = cells == np.roll(cells, -1, axis=1)
+        whole = ~repeats.any(axis=1)
+        rest = cells[~whole][~repeats[~whole]].reshape(-1, 3)
+        found = [(quadrilateral, cells[whole]), (triangle, rest)]
     else:
         low, high = cells[:, 0] == cells[:, 4], cells[:, 1] == cells[:, 5]
         found = [(hexahedron, cells[~low & ~high]), (prism, cells[low][:, [0, 1, 5, 3, 2, 6]]),
-                 (prism, cells[high][:, [1, 0, 4, 2, 3, 7]])]
+                 (prism, cells[high][:, [1, 4, 0, 2, 7, 3]])]
+        for kind, elements in found:
+            # gmshToFoam takes a prism as it is: its first triangle's normal points to the second one
+            p = points[elements]
+            inverted = np.einsum("ij,ij->i", np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0]), p[:, 3] - p[:, 0]) < 0
+            if kind == prism:
+                elements[inverted] = elements[inverted][:, [0, 2, 1, 3, 5, 4]]
     return [(kind, elements) for kind, elements in found if len(elements)]
 
 
@@ -465,8 +473,8 @@ def write_msh(mesh: VolumeMesh, place: np.ndarray, nose: np.ndarray, path: str) 
     gmsh.option.setNumber("General.Terminal", 0)
     gmsh.model.add("body")
     gmsh.model.addDiscreteEntity(3, _NODES)
-    tags = np.arange(1, len(mesh.nodes) + 1)
-    gmsh.model.mesh.addNodes(3, _NODES, tags, (mesh.nodes @ place + nose).ravel())
+    points = mesh.nodes @ place + nose
+    gmsh.model.mesh.addNodes(3, _NODES, np.arange(1, len(points) + 1), points.ravel())
     element = 1
     parts = [(2, mesh.wall, "wall"), (2, mesh.outer, "outer"), (2, mesh.symmetry, "plane"),
              (2, mesh.front, "nearSide"), (2, mesh.back, "farSide"), (3, mesh.hexahedra, "bodyMesh")]
@@ -474,7 +482,7 @@ def write_msh(mesh: VolumeMesh, place: np.ndarray, nose: np.ndarray, path: str) 
         if not len(cells):
             continue
         gmsh.model.addDiscreteEntity(dimension, entity)
-        for kind, elements in _by_type(cells):
+        for kind, elements in _by_type(cells, points):
             gmsh.model.mesh.addElementsByType(entity, kind, np.arange(element, element + len(elements)), (elements + 1).ravel())
             element += len(elements)
         group = gmsh.model.addPhysicalGroup(dimension, [entity])
