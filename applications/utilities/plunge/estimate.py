@@ -1,2 +1,158 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a scene costs on this machine, by a short probe."""
+"""What a scene costs on this machine, by a short probe: the same scene, coarse, on one core.
+
+A probe runs to the scene's end, or for PROBE_SECONDS of CPU time. From it come the time of a cell (particle) and step, the steps,
+which go with the cells' size, memory and disk of a cell, and what the formula for the number of cells leaves out."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Sequence
+
+from plunge import case as cases
+from plunge.case import Case
+from plunge.checks import ParameterError
+from plunge.results import cell_count, cpu_seconds, particle_counts
+
+PROBE_SECONDS = 45.0
+# Cells or particles of a probe, at most; its resolution is no finer than the scene's, and no coarser than it can be
+_PROBE_COUNT = {"meshes": 9e3, "particles": 2e4}
+_COARSEST = 0.25
+# Of a solver without a mesh [kB]
+_BASE_MEMORY = 95e3
+# CPU time of a cell and step goes with this power of the number of cells: iterations of the pressure grow as meshes do
+_GROWTH = {"meshes": 0.1, "particles": 0.0}
+_NATIVE = {"meshes": "cells", "particles": "particles"}
+
+
+@dataclass(frozen=True)
+class Probe:
+    """What a coarse run has taken."""
+
+    count: int          # cells or particles
+    steps: float        # of the whole scene
+    solver: float       # CPU time of a cell and step [s]
+    set_up: float       # of the meshing, CPU time of a cell [s]
+    memory: float       # of a cell [kB]
+    frame: float        # disk of a cell and written time [kB]
+
+
+def _directory_size(path: Path) -> int:
+    return sum(file.stat().st_size for file in path.rglob("*") if file.is_file())
+
+
+def _times(log: str) -> list[float]:
+    return [float(value) for value in re.findall(r"^Time = (\S+)", log, re.M)]
+
+
+def _commands(run: Path) -> list[list[str]]:
+    """Of the run's Allrun, but those of the solver and after it: the steps that set the case up."""
+    steps = re.findall(r"^\s*(?:\[[^]]*\] \|\| )?step (\w+)\s+(.+)$", (run / "Allrun").read_text(), re.M)
+    overset = "overset" in (run / cases.GENERATED).read_text()
+    skipped = {"decomposePar", "reconstructPar"} | (set() if overset else {"blockMesh", "snappyHexMesh", "mergeMeshes", "setFields"})
+    return [command.split() for name, command in steps if name not in skipped]
+
+
+def _run(command: Sequence[str], run: Path, log: Path, limit: float = 600.0) -> tuple[float, float]:
+    """CPU time [s] and largest memory [kB] of a command; after `limit` seconds of CPU time it is stopped."""
+    with log.open("w") as file:
+        process = subprocess.Popen(command, cwd=run, stdout=file, stderr=subprocess.STDOUT, env={**os.environ, "PWD": str(run)})
+        ticks = os.sysconf("SC_CLK_TCK")
+        while True:
+            pid, status, usage = os.wait4(process.pid, os.WNOHANG)
+            if pid:
+                process.returncode = os.waitstatus_to_exitcode(status)
+                break
+            fields = Path(f"/proc/{process.pid}/stat").read_text().rsplit(")", 1)[1].split()
+            if (int(fields[11]) + int(fields[12])) / ticks > limit:
+                process.terminate()
+            time.sleep(0.1)
+    if process.returncode not in (0, -15):
+        raise ParameterError(f"the probe's {command[0]} failed:\n{log.read_text()[-1500:]}")
+    return usage.ru_utime + usage.ru_stime, float(usage.ru_maxrss)
+
+
+def _probe(scene: Path, entries: dict[str, Any], resolution: float, run: Path) -> tuple[Probe, Case]:
+    asked = {**entries, "resolution": resolution, "cores": 1}
+    coarse = cases.derive(scene, asked)
+    cases.write(coarse, run, asked)
+    method = coarse.options["method"]
+    set_up = sum(_run(command, run, run / f"log.{command[0]}")[0] for command in _commands(run))
+    if method == "meshes":
+        shutil.copytree(run / "0.orig", run / "0")
+        if coarse.flat["mesh"] == "overset":
+            _run(["setFields"], run, run / "log.setFields")
+        _run(["setAlphaField"], run, run / "log.setAlphaField")
+    solver = coarse.flat["application"]
+    _, memory = _run([solver], run, run / f"log.{solver}", PROBE_SECONDS)
+    log = (run / f"log.{solver}").read_text(errors="replace")
+    count = cell_count(run) if method == "meshes" else sum(particle_counts(run))
+    times = _times(log)
+    if method == "particles":
+        told = [(float(t), float(dt)) for t, dt in re.findall(r"^Time = (\S+)  dt (\S+) s", log, re.M)]
+        reached = told[-1][0] if told else 0.0
+        steps = reached * len(told) / sum(dt for _, dt in told) if told else 0.0
+    else:
+        steps, reached = float(len(times)), times[-1] if times else 0.0
+    if steps < 5 or reached <= 0:
+        raise ParameterError(f"the probe came no further than step {steps:.0f} in {PROBE_SECONDS:.0f} s; expected a coarser tier")
+    whole = steps * coarse.scene.duration / reached
+    frames = [path for path in run.iterdir() if re.fullmatch(r"[0-9][0-9.e+-]*", path.name) and path.name != "0"]
+    disk = (_directory_size(frames[0]) if frames else _directory_size(run / "0")) if method == "meshes" else \
+        _directory_size(run / "VTK") / max(1, len(list((run / "VTK").glob("particles*.vt*"))))
+    return Probe(count, whole, cpu_seconds(run) / (count * steps), set_up / count, max(0.0, memory - _BASE_MEMORY) / count,
+                 disk / 1000 / count), coarse
+
+
+def _expected(case: Case) -> float:
+    return float(case.flat["estimatedCells"] if case.options["method"] == "meshes" else case.flat["fluidParticles"])
+
+
+def _duration(seconds: float) -> str:
+    return f"{seconds:.0f} s" if seconds < 120 else f"{seconds / 60:.0f} min" if seconds < 7200 else f"{seconds / 3600:.1f} h"
+
+
+def _bytes(kilobytes: float) -> str:
+    return f"{kilobytes / 1e3:.0f} MB" if kilobytes < 2e6 else f"{kilobytes / 1e6:.1f} GB"
+
+
+def of(scene: Path, entries: dict[str, Any], case: Case) -> str:
+    """A few lines for the user; the probe works in a temporary directory."""
+    method, resolution = case.options["method"], float(case.options["resolution"])
+    ratio = _PROBE_COUNT[method] / _expected(case)
+    dimensions = 2 if case.flat["model"] in ("plane", "axisymmetric") else 3
+    probed = max(_COARSEST, min(0.5 * resolution, resolution * ratio ** (1 / dimensions)))
+    print(f"Probing at resolution {probed:.2g} (up to {PROBE_SECONDS:.0f} s) ...", file=sys.stderr, flush=True)
+    with tempfile.TemporaryDirectory(prefix="plungeEstimate") as folder:
+        probe, coarse = _probe(scene, entries, probed, Path(folder).resolve() / "run")
+
+    finer = resolution / probed
+    count = _expected(case) * probe.count / _expected(coarse)
+    steps = probe.steps * finer * _coarser(case, coarse)
+    growth = (count / probe.count) ** _GROWTH[method]
+    solver, set_up = probe.solver * growth * count * steps, probe.set_up * count
+    cores = case.options["cores"]
+    memory = cores * _BASE_MEMORY + probe.memory * count
+    return "\n".join([
+        f"{_NATIVE[method]:<12} {count:,.0f}",
+        f"steps        {steps:,.0f}",
+        f"CPU time     {_duration(solver + set_up)}, of which the solver {_duration(solver)}; on {cores} core(s) at best {_duration(solver / cores + set_up)}",
+        f"memory       {_bytes(memory)}",
+        f"disk         {_bytes(probe.frame * count * (case.scene.frames + 1))}, {case.scene.frames} written times",
+    ])
+
+
+def _coarser(case: Case, coarse: Case) -> float:
+    """How much the smallest cells differ beyond the resolution: counts are whole numbers."""
+    if "noseSpacing" not in case.flat:
+        return 1.0
+    finer = case.options["resolution"] / coarse.options["resolution"]
+    return float(coarse.flat["noseSpacing"] / case.flat["noseSpacing"] / finer)

@@ -22,6 +22,8 @@ _NOSE_RADIUS = 0.01102
 # in the plane sets in motion reaches furthest.
 _SINGLE_REACH = {"half": 1.6, "full": 1.6, "axisymmetric": 3.2, "plane": 6.0}
 _SINGLE_OUTER_LAYERS = {"half": 1.5, "full": 1.5, "axisymmetric": 1.5, "plane": 2.0}
+# Length of the forebody over the body's largest radius below which a body is blunt: the liquid climbs it faster than the body sinks
+_SLENDER = 5.0
 # Pressure corrections: the flow at the corners of blunt bodies wants a second one
 _CORRECTIONS = {"half": 1, "full": 1, "axisymmetric": 2, "plane": 2}
 
@@ -51,6 +53,13 @@ class Meshes:
     def revolved(self) -> bool:
         """Does the body mesh follow a meridian?"""
         return self.scene.shape.dimensions == 2 or self.scene.shape.isRevolution
+
+    @property
+    def courant(self) -> float:
+        """Of the tier's Courant numbers; the impact of a blunt body is over in few steps."""
+        curve, radius = self.curve, self.scene.shape.max_diameter / 2
+        forebody = float(curve.point(np.array([curve.widest]))[0][0])
+        return self.tier["bluntCourant"] if forebody < _SLENDER * radius else 1.0
 
     def size(self) -> MeshSize:
         """The body mesh's [m]; counts grow with the refinement, spacings shrink, the outer surface stays."""
@@ -171,7 +180,7 @@ def sections(meshes: Meshes, decided: dict[str, Decision]) -> list[tuple[str, di
     cells = body_cells(size, meshes.model) + (background.cells if background else 0)
     # By the flow about the nose: what dives of the fast tier take on average
     limit = tier["maxDeltaT"] * scene.scale / speed / resolution
-    time_step = min(0.45 * tier["maxCo"] * size.nose_spacing / speed, limit)
+    time_step = min(0.45 * meshes.courant * tier["maxCo"] * size.nose_spacing / speed, limit)
 
     return [
         ("Body mesh", {
@@ -190,8 +199,8 @@ def sections(meshes: Meshes, decided: dict[str, Decision]) -> list[tuple[str, di
             "pressureCorrections": _CORRECTIONS[meshes.model],
             "diveDuration": scene.duration, "frameInterval": scene.duration / scene.frames,
             "initialDeltaT": min(0.05 * size.nose_spacing / speed, limit, 0.1 * scene.duration),
-            "deltaTLimit": limit, "courantLimit": tier["maxCo"],
-            "interfaceCourantLimit": tier["maxAlphaCo"],
+            "deltaTLimit": limit, "courantLimit": meshes.courant * tier["maxCo"],
+            "interfaceCourantLimit": meshes.courant * tier["maxAlphaCo"],
         }),
     ]
 

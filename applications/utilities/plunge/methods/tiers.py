@@ -27,6 +27,7 @@ ENTRIES: dict[str, Check] = {
     "refinementLevels": count(1),
     "maxCo": positive,
     "maxAlphaCo": positive,
+    "bluntCourant": positive,
     "maxDeltaT": positive,
     "particleSpacing": number("a number from 0.001 to 0.05", lambda v: 0.001 <= v <= 0.05),
 }
