@@ -72,7 +72,7 @@ int main(int argc, char *argv[])
 
         {
             addProfiling(output, "output");
-            const unfinishedTime mark(runTime);
+            const unfinishedTime mark(runTime, runTime.writeTime());
             runTime.write();
         }
         runTime.printExecutionTime(Info);

@@ -46,6 +46,7 @@ void simulate(Time& runTime, const smoothedParticles::particleProperties& proper
 
         flow.advance();
         flow.report();
+        flow.endAtEvent();
         flow.write();
     }
 }

@@ -376,6 +376,73 @@ TEST_F(wallLayers, ofACut)
 }
 
 
+// A prism across the plane is the circle that it is drawn out from
+TEST_F(wallLayers, ofAPrismAreThoseOfACircle)
+{
+    constexpr label n = 400;
+    const point centre(0.3, -0.2, 0);
+    pointField points(2*n + 2);
+    List<triFace> triangles;
+    points[2*n] = centre - vector(0, 0, 0.7);
+    points[2*n + 1] = centre + vector(0, 0, 0.4);
+    for (label i = 0; i < n; ++i)
+    {
+        const vector r(std::cos(2*M_PI*i/n), std::sin(2*M_PI*i/n), 0);
+        const label next = (i + 1) % n;
+        points[i] = points[2*n] + r;
+        points[n + i] = points[2*n + 1] + r;
+        triangles.append(triFace(i, next, n + next));
+        triangles.append(triFace(i, n + next, n + i));
+        triangles.append(triFace(next, i, 2*n));
+        triangles.append(triFace(n + i, n + next, 2*n + 1));
+    }
+    write(points, triangles);
+    const autoPtr<closedSurface> prism(surface(2));
+
+    const solidMeasures circle(smoothedParticles::ballMeasures(centre, 1, 2));
+    EXPECT_NEAR(prism->measures().volume, circle.volume, 1e-3);
+    EXPECT_LT(mag(prism->measures().centroid() - centre), 1e-6);
+    EXPECT_NEAR(prism->measures().inertia().zz(), circle.inertia().zz(), 1e-3);
+    EXPECT_NEAR(prism->area(), 2*M_PI, 1e-3);
+    EXPECT_LT(mag(prism->bounds().max() - centre - vector(1, 1, 0)), 1e-5);
+    EXPECT_LT(mag(prism->bounds().min() - centre + vector(1, 1, 0)), 1e-5);
+    for (const double r : {0.0, 0.5, 0.999, 1.001, 1.5})
+    {
+        const point p(centre + r*vector(0.6, 0.8, 0));
+        EXPECT_EQ(prism->contains(p), r < 1) << r;
+        EXPECT_NEAR(prism->findNearest(p, GREAT).depth, 1 - r, 1e-4);
+    }
+
+    const double spacing = 0.05;
+    solidMeasures represented, expected;
+    const wallParticles ofPrism(surfaceLayers(*prism, 2, spacing, nLayers, {}, represented));
+    const wallParticles ofCircle(sphereLayers(centre, 1, 2, spacing, nLayers, expected));
+    EXPECT_NEAR(represented.volume, expected.volume, 2e-3);
+    EXPECT_LT(mag(represented.centroid() - centre), 1e-3*spacing);
+    EXPECT_NEAR(represented.inertia().zz(), expected.inertia().zz(), 0.005*expected.inertia().zz());
+    EXPECT_NEAR(sum(ofPrism.volume), sum(ofCircle.volume), 2e-3);
+    EXPECT_NEAR(double(ofPrism.x.size())/ofCircle.x.size(), 1, 0.05);
+    forAll(ofPrism.x, i)
+    {
+        const double layer = (1 - mag(ofPrism.x[i] - centre))/spacing - 0.5;
+        EXPECT_NEAR(layer, std::round(layer), 0.01);
+    }
+
+    // Half a spacing off the face the kernel sees as much of the one as of the other, but for the noise of its particles
+    double mean = 0, square = 0;
+    constexpr label nPoints = 100;
+    for (label k = 0; k < nPoints; ++k)
+    {
+        const point at(centre + (1 + 0.5*spacing)*vector(std::cos(k), std::sin(k), 0));
+        const double ratio = kernelSum(ofPrism, at, spacing, 2)/kernelSum(ofCircle, at, spacing, 2);
+        mean += ratio/nPoints;
+        square += sqr(ratio)/nPoints;
+    }
+    EXPECT_NEAR(mean, 1, 0.01);
+    EXPECT_LT(std::sqrt(square - sqr(mean)), 0.03);
+}
+
+
 // A wedge, 1 long and 0.5 high at its end, to a sharp edge at x = 0
 TEST_F(wallLayers, thinParts)
 {

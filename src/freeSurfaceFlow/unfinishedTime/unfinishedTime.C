@@ -20,12 +20,12 @@ Foam::fileName markOf(const Foam::Time& time)
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::unfinishedTime::unfinishedTime(const Time& time)
+Foam::unfinishedTime::unfinishedTime(const Time& time, const bool isWritten)
 :
     mark_()
 {
     // Collated processors have no directories of their own
-    if (time.writeTime() && isDir(time.path()))
+    if (isWritten && isDir(time.path()))
     {
         mark_ = markOf(time);
         mkDir(mark_.path());

@@ -76,6 +76,15 @@ void Foam::checkBodyCoefficients(const dictionary& coefficients)
     }
 
     const word integrator(coefficients.subDict("solver").get<word>("type"));
+    for (const word entry : {"constraints", "restraints"})
+    {
+        if (integrator == "prescribed" && coefficients.subOrEmptyDict(entry).size())
+        {
+            FatalIOErrorInFunction(coefficients)
+                << "Entry " << entry << " is given, but solver prescribed keeps the velocity and the spin of the start" << nl
+                << "Expected: no " << entry << ", or another solver." << exit(FatalIOError);
+        }
+    }
     if
     (
         (integrator == "Newmark" || integrator == "CrankNicolson")

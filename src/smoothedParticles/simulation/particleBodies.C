@@ -23,8 +23,15 @@ Foam::smoothedParticles::particleBodies<dim>::particleBodies
     model_(properties.modelled()),
     surfaceLevel_(properties.outputs().lookupOrDefault<scalar>("surfaceLevel", 0))
 {
+    const bool ends = properties.dict().found("until");
     if (!properties.dict().found("bodies"))
     {
+        if (ends)
+        {
+            FatalIOErrorInFunction(properties.dict())
+                << "Entry until is given, but nothing moves" << nl
+                << "Expected: no such entry, or a body in bodies." << exit(FatalIOError);
+        }
         return;
     }
     const dictionary& dict = properties.dict().subDict("bodies");
@@ -61,6 +68,16 @@ Foam::smoothedParticles::particleBodies<dim>::particleBodies
         );
     }
     starts_ = motions();
+    if (ends)
+    {
+        if (bodies_.size() != 1)
+        {
+            FatalIOErrorInFunction(properties.dict())
+                << "Entry until is given, but there are " << bodies_.size() << " bodies" << nl
+                << "Expected: one body." << exit(FatalIOError);
+        }
+        until_.reset(new bodyEvent(properties.dict(), "until"));
+    }
 }
 
 
@@ -110,6 +127,30 @@ void Foam::smoothedParticles::particleBodies<dim>::write(const particleFlow<dim>
 
 
 template<int dim>
+bool Foam::smoothedParticles::particleBodies<dim>::end(Time& time)
+{
+    if (!until_)
+    {
+        return false;
+    }
+    const bodyState now(bodies_[0].state());
+    const vector& up = trajectories_[0].up();
+    const bool happened = until_->hasHappened
+    ({
+        -surfaces_[0].reach(now, -up) - surfaceLevel_,
+        surfaces_[0].reach(now, up) - surfaceLevel_,
+        mag(now.velocity),
+        now.velocity & up
+    });
+    if (happened)
+    {
+        until_->end(time);
+    }
+    return happened;
+}
+
+
+template<int dim>
 void Foam::smoothedParticles::particleBodies<dim>::makeSurfaces(const particleProperties& properties)
 {
     if (bodies_.empty())
@@ -143,6 +184,11 @@ std::vector<double> Foam::smoothedParticles::particleBodies<dim>::numbers() cons
         const std::vector<double> some(body.numbers());
         all.insert(all.end(), some.begin(), some.end());
     }
+    if (until_)
+    {
+        const FixedList<scalar, 2> memory(until_->memory());
+        all.insert(all.end(), memory.begin(), memory.end());
+    }
     return all;
 }
 
@@ -150,8 +196,13 @@ std::vector<double> Foam::smoothedParticles::particleBodies<dim>::numbers() cons
 template<int dim>
 void Foam::smoothedParticles::particleBodies<dim>::set(const std::vector<double>& numbers)
 {
-    const std::size_t n = bodies_.empty() ? 0 : numbers.size()/bodies_.size();
-    if (n*bodies_.size() != numbers.size())
+    std::size_t n = 0;
+    for (const freeBody& body : bodies_)
+    {
+        n += body.numbers().size();
+    }
+    constexpr std::size_t nMemory = 2;
+    if (numbers.size() != n && numbers.size() != n + nMemory)
     {
         throw std::runtime_error
         (
@@ -159,9 +210,17 @@ void Foam::smoothedParticles::particleBodies<dim>::set(const std::vector<double>
           + std::to_string(bodies_.size()) + " bodies"
         );
     }
-    forAll(bodies_, i)
+    auto next = numbers.begin();
+    for (freeBody& body : bodies_)
     {
-        bodies_[i].set(std::vector<double>(numbers.begin() + i*n, numbers.begin() + (i + 1)*n));
+        const auto first = next;
+        next += body.numbers().size();
+        body.set(std::vector<double>(first, next));
+    }
+    // What was written without the entry until remembers nothing
+    if (until_ && numbers.size() == n + nMemory)
+    {
+        until_->remember({next[0], next[1]});
     }
 }
 

@@ -373,7 +373,8 @@ Foam::smoothedParticles::particleProperties::particleProperties(const Time& runT
         ({
             "FoamFile", "dimensions", "kernel", "smoothingLength", "viscosity", "alpha", "densityDiffusion", "delta",
             "walls", "precision", "timeStepping", "Courant", "liquid", "speedOfSound", "geometry", "bodies", "symmetry",
-            "absorption", "contact", "momentum", "beta", "acousticDamper", "wallTension", "outputs", "neighbours", "shifting", "energy"
+            "absorption", "contact", "momentum", "beta", "acousticDamper", "wallTension", "outputs", "neighbours", "shifting", "energy",
+            "until"
         })
     );
     if (dimensions_ != 2 && dimensions_ != 3)

@@ -48,6 +48,7 @@ Foam::smoothedParticles::particleSimulation<dim>::particleSimulation
     bodies_.write(*flow_);
     vtk_.write(flow_->state(), model_.rho0);
     bodies_.writeVTK();
+    endAtEvent();
 }
 
 
@@ -188,9 +189,16 @@ void Foam::smoothedParticles::particleSimulation<dim>::report()
 
 
 template<int dim>
+void Foam::smoothedParticles::particleSimulation<dim>::endAtEvent()
+{
+    hasEnded_ = bodies_.end(time_);
+}
+
+
+template<int dim>
 void Foam::smoothedParticles::particleSimulation<dim>::write()
 {
-    if (!time_.writeTime())
+    if (!time_.writeTime() && !hasEnded_)
     {
         return;
     }

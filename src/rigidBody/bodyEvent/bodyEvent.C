@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "bodyEvent.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+const Foam::Enum<Foam::bodyEvent::kind> Foam::bodyEvent::names
+({
+    { kind::immersed, "immersed" },
+    { kind::atRest, "atRest" },
+    { kind::leftTheLiquid, "leftTheLiquid" },
+});
+
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Of the highest speed, below which a body is at rest
+constexpr Foam::scalar restingShare = 0.01;
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::bodyEvent::bodyEvent(const dictionary& dict, const word& entry)
+{
+    const word name(dict.get<word>(entry));
+    if (!names.found(name))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry " << entry << " is " << name << nl
+            << "Expected: one of " << names.sortedToc() << exit(FatalIOError);
+    }
+    kind_ = names[name];
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::bodyEvent::hasHappened(const place& now)
+{
+    highestSpeed_ = max(highestSpeed_, now.speed);
+    hasTouched_ = hasTouched_ || now.lowest < 0;
+    switch (kind_)
+    {
+        case kind::immersed: return now.highest < 0;
+        case kind::atRest: return now.speed < restingShare*highestSpeed_;
+        case kind::leftTheLiquid: return hasTouched_ && now.lowest > 0 && now.climb > 0;
+    }
+    return false;
+}
+
+
+void Foam::bodyEvent::end(Time& time) const
+{
+    Info<< "Event " << name() << " at " << time.timeName() << " s: the run ends here" << nl << endl;
+    time.setEndTime(time.value());
+}
+
+
+void Foam::bodyEvent::remember(const FixedList<scalar, 2>& memory)
+{
+    highestSpeed_ = memory[0];
+    hasTouched_ = memory[1] > 0;
+}
+
+// ************************************************************************* //
