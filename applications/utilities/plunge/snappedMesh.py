@@ -1,10 +1,23 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The mesh of a body of any shape, from snappyHexMesh in the body's frame: what the dictionaries of etc/methods/meshes/snapped
-take, the surface that is meshed, and the mesh's way to its place at t = 0."""
+take, the surface that is meshed, and the mesh's way to its place at t = 0.
+
+In a run directory that holds a copy of these dictionaries (body/system) and system/plungeGenerated:
+
+    blockMesh -case body
+    snappyHexMesh -case body -dict system/refineDict -overwrite
+    surfaceFeatureExtract -case body
+    snappyHexMesh -case body -overwrite
+    transformPoints -case body -translate snappedTranslation -rollPitchYaw snappedRollPitchYaw
+    cp -r body/constant/polyMesh constant
+
+The patches are then those of gmshToFoam after plungeBodyMesh (wall, outer and in the half model plane), all cells are in the
+zone bodyMesh, and createPatch is next.
+"""
 
 from __future__ import annotations
 
-from math import ceil, log, log2, pi, sqrt
+from math import ceil, log, log2, pi, radians, sin, sqrt
 from pathlib import Path
 from typing import Any
 
@@ -13,8 +26,9 @@ import numpy as np
 from plunge import bodySurface
 from plunge.shapes.surface import Surface
 
-# Of a mesh without a background: how far it reaches, in body lengths.
-_SINGLE_REACH = 1.6
+# Of a mesh without a background: how far it reaches, in body lengths, and at least in largest diameters (a sphere's added mass
+# is 0.3 % less than in unbounded fluid).
+_SINGLE_REACH, _SINGLE_REACH_ACROSS = 1.6, 3.5
 # Cells across the outer part of an overset mesh, at least: both sides interpolate over some.
 _LEAST_OFFSET = 6
 # Cells of the tier's lengths get no finer than this many over the body's thickness, and over the nose's radius.
@@ -23,6 +37,9 @@ _OVER_THICKNESS, _OVER_NOSE = 18, 4
 _CUBES = 0.5
 # Layers at the wall: the first and the last over the cell that they lie under, and each over the one before.
 _FIRST, _LAST, _EXPANSION = 0.3, 0.5, 1.3
+# An edge is sharp from this angle between its triangles on, as in surfaceFeatureExtractDict; a tip where a cone's half angle is
+# below 70 deg: its angles add up to sin(70 deg) of a full turn. Length of the line that marks it, over the body's.
+_SHARP, _TIP, _TIP_LINE = radians(30), 2 * pi * (1 - sin(radians(70))), 1e-3
 
 
 def sections(shape: Surface, tier: dict[str, Any], resolution: float, full: bool, single: bool,
@@ -48,7 +65,7 @@ def sections(shape: Surface, tier: dict[str, Any], resolution: float, full: bool
     spacing, reach, base = finest, offset, 0
     if single:
         base = tier["refinementLevels"]
-        spacing, reach = finest * 2**base, _SINGLE_REACH * length
+        spacing, reach = finest * 2**base, max(_SINGLE_REACH * length, _SINGLE_REACH_ACROSS * shape.max_diameter)
         shells = [[distance, base + k] for distance, k in shells]
         radius = offset
         for k in range(base, 0, -1):
@@ -96,7 +113,43 @@ def place(forward: np.ndarray, dorsal: np.ndarray, nose: np.ndarray) -> dict[str
     }
 
 
+def tips(points: np.ndarray, triangles: np.ndarray) -> np.ndarray:
+    """Points of a closed surface that are sharp without an edge that is, a cone's, each with a neighbour on the surface:
+    pairs of point numbers."""
+    corners = points[triangles]
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-300)
+    legs = np.roll(corners, -1, axis=1) - corners
+    lengths = np.linalg.norm(legs, axis=2)
+    cosines = -np.einsum("ijk,ijk->ij", legs, np.roll(legs, 1, axis=1)) / np.maximum(lengths * np.roll(lengths, 1, axis=1), 1e-300)
+    # What the angles about a point lack of a full turn
+    lack = np.full(len(points), 2 * np.pi)
+    np.subtract.at(lack, triangles, np.arccos(np.clip(cosines, -1, 1)))
+
+    sides = triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2)
+    owner = np.arange(len(sides)) // 3
+    order = np.lexsort(np.sort(sides, axis=1).T)
+    edges, owner = sides[order[::2]], owner[order].reshape(-1, 2)
+    sharp = np.einsum("ij,ij->i", *normals[owner.T]) < np.cos(_SHARP)
+    lack[edges[sharp]] = 0
+    both = np.vstack((edges, edges[:, ::-1]))
+    both = both[lack[both[:, 0]] > _TIP]
+    return both[np.unique(both[:, 0], return_index=True)[1]]
+
+
 def write_surface(shape: Surface, run: Path) -> None:
-    """Write the surface that is meshed, <run>/body/constant/triSurface/body.stl, in the body's frame."""
+    """Write what is meshed, in the body's frame, to <run>/body/constant/triSurface: body.stl and, of its tips, tips.eMesh."""
     points, triangles = shape.surface()
-    bodySurface.write_stl(run / "body/constant/triSurface/body.stl", points * [-1, 1, 1], triangles[:, ::-1])
+    points, folder = points * [-1, 1, 1], run / "body/constant/triSurface"
+    bodySurface.write_stl(folder / "body.stl", points, triangles[:, ::-1])
+
+    # Lines that are short, for the mesh follows them: it is their first points that matter
+    found = tips(points, triangles)
+    start, way = points[found[:, 0]], points[found[:, 1]] - points[found[:, 0]]
+    far = np.linalg.norm(way, axis=1, keepdims=True)
+    ends = np.stack((start, start + way * np.minimum(1, _TIP_LINE * shape.length / far)), axis=1).reshape(-1, 3)
+    lines = [f"({2 * k} {2 * k + 1})" for k in range(len(found))]
+    (folder / "tips.eMesh").write_text(
+        "FoamFile\n{\n    version     2.0;\n    format      ascii;\n    class       featureEdgeMesh;\n    object      tips.eMesh;\n}\n\n"
+        f"{len(ends)}\n(\n" + "\n".join(f"({x:.9g} {y:.9g} {z:.9g})" for x, y, z in ends) + "\n)\n\n"
+        f"{len(lines)}\n(\n" + "\n".join(lines) + "\n)\n")

@@ -178,6 +178,7 @@ def _oriented(points: np.ndarray, triangles: np.ndarray) -> tuple[np.ndarray, np
     consistent.ConsistencyOn()
     consistent.SplittingOff()
     consistent.ComputePointNormalsOff()
+    consistent.ComputeCellNormalsOn()   # without normals the filter does nothing
     consistent.Update()
     turned = _triangles_of(consistent.GetOutput())[1]
     for name in range(part.max() + 1):
