@@ -37,6 +37,9 @@ _OVER_THICKNESS, _OVER_NOSE = 18, 4
 _CUBES = 0.5
 # Layers at the wall: the first and the last over the cell that they lie under, and each over the one before.
 _FIRST, _LAST, _EXPANSION = 0.3, 0.5, 1.3
+# Where edges have finer cells than the wall: faces there over the wall's, and cells on each of them beside the layers, from
+# slender bodies with and without wings.
+_EDGE_FACES, _EDGE_CELLS = 2.9, 4
 # An edge is sharp from this angle between its triangles on, as in surfaceFeatureExtractDict; a tip where a cone's half angle is
 # below 70 deg: its angles add up to sin(70 deg) of a full turn. Length of the line that marks it, over the body's.
 _SHARP, _TIP, _TIP_LINE = radians(30), 2 * pi * (1 - sin(radians(70))), 1e-3
@@ -86,17 +89,27 @@ def sections(shape: Surface, tier: dict[str, Any], resolution: float, full: bool
            for corner in ((-1, -1, -1), (1, -1, -1), (1, 1, -1), (-1, 1, -1), (-1, -1, 1), (1, -1, 1), (1, 1, 1), (-1, 1, 1))]
 
     first = _FIRST if first_layer is None else first_layer / (finest / 2**wall)
+    layers = 1 + max(0, ceil(log(_LAST / first) / log(_EXPANSION) - 1e-9))
+
+    # Of the box, of each shell (the volume within a distance of a convex body, Steiner's formula), and of the wall
+    share = 1.0 if full else 0.5
+    count = np.prod(cells) - share * shape.volume / spacing**3
+    for distance, k in shells:
+        within = shape.wetted_area * distance + pi * length * distance**2 + 4 / 3 * pi * distance**3
+        count += share * within * 7 * 8 ** (k - 1) / spacing**3
+    faces = share * shape.wetted_area / (finest / 2**wall) ** 2
+    count += faces * (_EDGE_FACES * (layers + _EDGE_CELLS) if edge > wall else layers)
     return [("Snapped body mesh", {
         "snappedBox": box,
         "snappedCells": cells,
         "snappedWallLevel": base + wall, "snappedEdgeLevel": base + edge,
         "snappedShells": shells if shells else [[finest, 0]],
-        "snappedLayers": 1 + max(0, ceil(log(_LAST / first) / log(_EXPANSION) - 1e-9)),
-        "snappedFirstLayer": first, "snappedExpansion": _EXPANSION,
+        "snappedLayers": layers, "snappedFirstLayer": first, "snappedExpansion": _EXPANSION,
         # In a corner cell, off its faces
         "snappedLocation": [float(x - 0.37 * spacing) for x in box[6]],
         # How far the outer boundary is from the axis: the background's finest shell reaches farther
         "snappedReach": float(max(np.hypot(y, z) for _, y, z in box)),
+        "snappedEstimatedCells": round(float(count), -2),
     })]
 
 
