@@ -74,6 +74,6 @@ def _write_mp4(ffmpeg: str, pictures: Iterator[np.ndarray], rate: float, path: P
 def _write_gif(pictures: Iterator[np.ndarray], rate: float, path: Path) -> None:
     from PIL import Image
 
-    images = [Image.fromarray(picture).quantize(256, dither=Image.Dither.NONE) for picture in pictures]
+    images = [Image.fromarray(picture).quantize(256, method=Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE) for picture in pictures]
     pause = [round(1000 / rate)] * (len(images) - 1) + [1500]  # the end can be looked at
     images[0].save(path, save_all=True, append_images=images[1:], duration=pause, loop=0)
