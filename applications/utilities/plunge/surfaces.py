@@ -434,12 +434,12 @@ class Case:
         mesh, patches, fields = self._read(self.times[instant])
         low, high = mesh.GetBounds()[2:4]
         middle = 0.0 if self.mirrored else 0.5 * (low + high)
-        flow = cut(to_points(mesh, self.alpha), 1, middle)
+        flow = append([cut(to_points(mesh, self.alpha), 1, middle)])
         points = vtk_to_numpy(flow.GetPoints().GetData())[:, [0, 2]]
         triangles = vtk_to_numpy(flow.GetPolys().GetConnectivityArray()).reshape(-1, 3)
         a, b, c = (points[triangles[:, i]] for i in range(3))
         area = (b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0]
-        triangles = triangles[np.abs(area) > 1e-6 * np.abs(area).mean() * 1e-6]  # slivers on the axis
+        triangles = triangles[np.abs(area) > 1e-12 * np.abs(area).mean()]  # matplotlib takes none that are lines
         values = {name: vtk_to_numpy(flow.GetPointData().GetArray(name)) for name in (self.alpha, *fields)}
         to_corners = vtkCellDataToPointData()
         to_corners.SetInputData(append(patches[self.body]))
