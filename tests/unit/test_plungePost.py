@@ -965,3 +965,86 @@ def test_notes_on_the_figure_are_below_its_panels():
         assert min(panel.y0 for panel in panels) >= box.y1
         assert sum("\\pm" in text.get_text() for ax in figure.axes for text in ax.texts) == len(HEADLINES)
         plt.close(figure)
+
+
+FORCE, REST = "Force against the motion, ", {"Penetration depth"}
+MOVED = REST | {"Speed of the centre of mass", "Axial deceleration"}
+TURNED = MOVED | {"Lateral acceleration, body axes", "Pitch"}
+
+
+@pytest.mark.parametrize("body, straight, shows", [
+    (Body("free"), False, TURNED | {"Path of the centre of mass", FORCE + "whole body"}),
+    (Body("planar", True, "z", 0.1, 0.1, 500), True, TURNED | {FORCE + "per metre", "coefficient"}),
+    (Body("axial", False, "z", 0.1, 0.01, 500), True, MOVED | {FORCE + "whole body", "coefficient"}),
+    (Body("axial"), True, MOVED | {FORCE + "whole body"}),
+    (Body("prescribed", False, "z", 0.1, 0.01, 500), True, REST | {FORCE + "whole body", "coefficient"}),
+    (Body("fixed", True, "z", 0.1, 0.1, 500), True, {"Force of the fluids, per metre"})])
+def test_no_panel_is_wasted_on_what_the_body_cannot_do(body, straight, shows):
+    from plunge.figures import plt, trajectory_figure
+
+    table = constant_deceleration()
+    table["z_m"] = -table["penetration_m"]
+    table["x_m"] = table["penetration_m"] * (0.001 if straight else 0.3)
+    table["Fpx_N"][:] = 5.0
+    numbers = key_numbers(table, None, extent_of(table, 1), body)
+    figure = trajectory_figure("A body", table, None, numbers, {}, ["a note"], body)
+    titles = {"coefficient" if "rho" in ax.get_title("left") else ax.get_title("left") for ax in figure.axes if ax.axison}
+    assert titles == shows
+    forces, = (ax for ax in figure.axes if "Force" in ax.get_title("left") and "rho" not in ax.get_title("left"))
+    assert forces.get_ylabel() == ("force [N/m]" if body.inPlane else "force [N]")
+    if body.freedom == "fixed":  # the force itself, since there is no motion
+        line, = forces.lines[:1]
+        assert line.get_label() == "x" and (line.get_ydata() == 5).all()
+    plt.close(figure)
+
+
+def test_a_body_that_moves_as_prescribed_is_reported_by_its_forces(tmp_path):
+    case = particle_dive(tmp_path)
+    write_body_parameters(case, model="quarter", shape="sphere", freedom="prescribed")
+    done = subprocess.run([TOOLS / "plungePost", case, "-noPictures"], capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    assert "sphere of 0.25 m at 4 m/s and 90 deg, prescribed, fluids water, quarter model" in done.stdout
+    assert "peak force of the fluids" in done.stdout and "contact  " in done.stdout
+    for word in ("velocity", "deceleration", "pitch"):
+        assert word not in done.stdout and not any(word in name for name in read_numbers(case / "results/summary.csv"))
+
+
+@pytest.mark.parametrize("freedoms, panels", [
+    (("free", "axial"), {"Axial deceleration", "Speed lost", "Penetration depth", "Pitch"}),
+    (("axial", "prescribed"), {"Axial deceleration", "Speed lost", "Penetration depth", "Force of the fluids"}),
+    (("prescribed", "fixed"), {"Penetration depth", "Force of the fluids"})])
+def test_an_overlay_has_the_panels_that_any_of_its_runs_fills(freedoms, panels):
+    from plunge.figures import overlay_figure, plt
+
+    table = constant_deceleration()
+    table["Fpz_N"][:] = 7.0
+    runs = []
+    for freedom in freedoms:
+        body = Body(freedom, inPlane=freedom == "fixed")
+        runs.append((freedom, table, key_numbers(table, None, extent_of(table, 1), body), body))
+    figure = overlay_figure(runs)
+    assert {ax.get_title("left") for ax in figure.axes} == panels
+    for ax in figure.axes:
+        curves = sum(len(line.get_xdata()) == len(table["time_s"]) for line in ax.lines)
+        driven = sum(freedom in ("prescribed", "fixed") for freedom in freedoms)
+        turning = sum(freedom == "free" for freedom in freedoms)
+        assert curves == {"Axial deceleration": 2 - driven, "Speed lost": 2 - driven, "Pitch": turning}.get(ax.get_title("left"), 2)
+        if freedoms == ("prescribed", "fixed") and "Force" in ax.get_title("left"):
+            assert ax.get_ylabel() == "force [N or N/m]"
+    plt.close(figure)
+
+
+def test_runs_of_any_body_are_laid_over_each_other(tmp_path):
+    for name, freedom in (("one", "free"), ("other", "prescribed")):
+        case = particle_dive(tmp_path / name)
+        write_body_parameters(case, model="quarter", shape="sphere", freedom=freedom)
+        subprocess.run([TOOLS / "plungePost", case, "-noPictures"], check=True, capture_output=True)
+    figure = tmp_path / "both.png"
+    subprocess.run([TOOLS / "plungeOverlay", tmp_path / "one", tmp_path / "other", "-mean", "1e-3", "-o", figure], check=True,
+                   capture_output=True)
+    assert figure.stat().st_size > 10000
+    with figure.with_suffix(".csv").open() as file:
+        rows = {row[0]: row[2:] for row in csv.reader(file)}
+    assert rows["contact time"] == ["0.001", "0.001"]
+    assert rows["velocity lost at end"][0] == "2.45" and rows["velocity lost at end"][1] == ""
+    assert "sphere of 0.25 m" in rows["quantity"][0] and "prescribed" in rows["quantity"][1]
