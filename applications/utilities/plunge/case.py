@@ -182,8 +182,11 @@ def _copy_case(case: Case, run: Path) -> None:
     if method == "meshes":
         without += [] if flat["boundaryLayer"] == "wallFunction" else _TURBULENCE
         without += [] if flat["mesh"] == "overset" else _OVERSET
+        without += ["snapped"]
     for source in (TEMPLATES / "common", TEMPLATES / method):
         _copy(source, run, tuple(without))
+    if flat.get("bodyMesh") == "snapped":
+        _copy(TEMPLATES / method / "snapped", run)
     own = case.scene.folder
     if case.scene.file.parent.name == "constant":
         for part in ("0.orig", "constant", "system", "background"):

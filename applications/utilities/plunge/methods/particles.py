@@ -41,8 +41,7 @@ class Particles:
     @property
     def spacing(self) -> float:
         """[m]"""
-        return self.tier["particleSpacing"] * self.scene.scale / self.resolution / (
-            self.tier["planeRefinement"] if self.model == "plane" else 1)
+        return self.tier["particleSpacing"] * self.scene.scale / self.resolution
 
 
 def sections(particles: Particles) -> list[tuple[str, dict[str, Any]]]:
@@ -68,10 +67,8 @@ def sections(particles: Particles) -> list[tuple[str, dict[str, Any]]]:
     c0 = float(particles.sound_speed or _SOUND_OVER_SPEED * fastest)
     top = spacings(_FREEBOARD * scale)
 
-    axial, transverse, rotary = scene.shape.added_mass_coefficients()
+    translation, rotation = scene.shape.added_mass_coefficients()
     displaced = share(model) * scene.fluids["liquidDensity"]
-    mass = displaced * scene.shape.volume
-    inertia = displaced * float(np.asarray(scene.shape.inertia)[1, 1])
 
     box = {"liquidMin": low, "liquidMax": high, "tankMax": [*high[:2], top]}
     if plane:  # plungeSPH's plane is x and y
@@ -86,8 +83,8 @@ def sections(particles: Particles) -> list[tuple[str, dict[str, Any]]]:
     return [
         # plungeFoam computes it from the flow
         ("What the liquid adds to the immersed body: an estimate for the coupling, which does not change its result", {
-            "addedMassEstimate": [axial * mass, transverse * mass, transverse * mass],
-            "addedInertiaEstimate": [0.0, rotary * inertia, rotary * inertia],
+            "addedMassEstimate": vector(displaced * scene.shape.volume * translation),
+            "addedInertiaEstimate": vector(displaced * np.diag(scene.shape.inertia) * rotation),
         }),
         ("Particles", {
             "particleSpacing": spacing,
