@@ -35,7 +35,7 @@ def prepare(run: Path, options: Sequence[str]) -> Dict[str, Any]:
     inflow = "({:.12g} {:.12g} {:.12g})".format(*stream)
     override(run, "constant/dynamicMeshDict", "dynamicFvMesh staticFvMesh;")
     override(run, "constant/sceneProperties",
-             "body none; meshMotion none; gravity off; surfaceTension off; initialFlow fields;")
+             "gravity off; surfaceTension off; initialFlow fields;")
     length = given["bodyLength"]/given["speed"]
     override(run, CONTROL, f"endTime {TRAVEL*length}; writeInterval {TRAVEL*length}; maxCo 2; maxAlphaCo 2; "
              "#remove functions\nfunctions { forces { type forces; libs (forces); patches (body); rho rho; CofR (0 0 0); } }")

@@ -2,13 +2,25 @@
 
 #include "closedSurface.H"
 
+#include "addToRunTimeSelectionTable.H"
 #include "DynamicList.H"
 #include "EdgeMap.H"
+#include "inputChecks.H"
+#include "Map.H"
 #include "OSspecific.H"
 #include "momentOfInertia.H"
 #include "orientedSurface.H"
 #include "triSurfaceSearch.H"
 #include "triSurfaceTools.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    defineTypeNameAndDebug(closedSurface, 0);
+    addToRunTimeSelectionTable(shape, closedSurface, dictionary);
+}
+
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -16,7 +28,6 @@ namespace
 {
 
 using namespace Foam;
-using namespace Foam::smoothedParticles;
 
 //- Of the inside of triangles whose normals are outwards
 solidMeasures insideOf(const triSurface& surface)
@@ -40,12 +51,9 @@ void addSector(solidMeasures& m, const point& a, const point& b)
     m.second += area/12*(sqr(a) + sqr(b) + sqr(a + b));
 }
 
-} // End anonymous namespace
 
-
-// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
-
-Foam::fileName Foam::smoothedParticles::surfaceFile(const dictionary& dict, const fileName& caseDirectory)
+//- By the entry file, which is relative to the case
+fileName surfaceFile(const dictionary& dict, const fileName& caseDirectory)
 {
     fileName file(dict.get<fileName>("file"));
     file.expand();
@@ -55,30 +63,32 @@ Foam::fileName Foam::smoothedParticles::surfaceFile(const dictionary& dict, cons
     }
     if (!isFile(file))
     {
-        FatalIOErrorInFunction(dict)
-            << "Entry file: there is no " << file << nl
-            << "Expected: a surface, relative to the case." << exit(FatalIOError);
+        refuse(dict, text("Entry file: there is no ", file), "a surface, relative to the case.");
     }
     return file;
 }
 
+} // End anonymous namespace
+
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::smoothedParticles::closedSurface::closedSurface
-(
-    const dictionary& dict,
-    const fileName& caseDirectory,
-    const int dim
-)
+Foam::closedSurface::closedSurface(const dictionary& dict, const setting& where)
 :
-    file_(surfaceFile(dict, caseDirectory)),
+    shape(where),
+    file_(surfaceFile(dict, where.caseDirectory)),
     surface_(file_)
 {
+    checkKeywords(dict, {"name", "type", "file"});
     checkWatertight(dict);
     const boundBox box(surface_.points(), false);
+    outline_ = {surface_.points(), faceList(surface_.size())};
+    forAll(surface_, i)
+    {
+        outline_.faces[i] = surface_[i].triFaceFace();
+    }
     orientedSurface::orient(surface_, triSurfaceSearch(surface_), box.max() + box.span(), true);
-    if (dim == 2)
+    if (dim_ == 2)
     {
         cut(dict);
         box_ = boundBox(surface_.points(), false);
@@ -91,6 +101,12 @@ Foam::smoothedParticles::closedSurface::closedSurface
         box_ = box;
     }
     tree_.reset(new triangleTree(surface_));
+    facets_ = surface_.magFaceAreas();
+    if (dim_ == 2)
+    {
+        // An edge of the cut is two triangles
+        facets_ *= 2/boundBox(surface_.points(), false).span().z();
+    }
 
     // All that triSurface makes when it is first asked for, before there are threads
     surface_.faceNormals();
@@ -105,13 +121,11 @@ Foam::smoothedParticles::closedSurface::closedSurface
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::smoothedParticles::closedSurface::checkWatertight(const dictionary& dict) const
+void Foam::closedSurface::checkWatertight(const dictionary& dict) const
 {
     if (surface_.empty())
     {
-        FatalIOErrorInFunction(dict)
-            << "Entry file: " << file_ << " has no triangles" << nl
-            << "Expected: a watertight surface." << exit(FatalIOError);
+        refuse(dict, text("Entry file: ", file_, " has no triangles"), "a watertight surface.");
     }
     label first = -1, nOpen = 0;
     forAll(surface_.edgeFaces(), i)
@@ -124,17 +138,22 @@ void Foam::smoothedParticles::closedSurface::checkWatertight(const dictionary& d
     if (nOpen)
     {
         const edge& e = surface_.edges()[first];
-        FatalIOErrorInFunction(dict)
-            << "Entry file: " << file_ << " leaks: " << nOpen << " of its "
-            << surface_.nEdges() << " edges have not exactly two triangles; the first, from "
-            << surface_.localPoints()[e.start()] << " to " << surface_.localPoints()[e.end()]
-            << ", has " << surface_.edgeFaces()[first].size() << nl
-            << "Expected: a watertight surface." << exit(FatalIOError);
+        refuse
+        (
+            dict,
+            text
+            (
+                "Entry file: ", file_, " leaks: ", nOpen, " of its ", surface_.nEdges(),
+                " edges have not exactly two triangles; the first, from ", surface_.localPoints()[e.start()], " to ",
+                surface_.localPoints()[e.end()], ", has ", surface_.edgeFaces()[first].size()
+            ),
+            "a watertight surface."
+        );
     }
 }
 
 
-void Foam::smoothedParticles::closedSurface::cut(const dictionary& dict)
+void Foam::closedSurface::cut(const dictionary& dict)
 {
     // A point on the plane counts as above it, so that each triangle has two edges across, or none
     const pointField& points = surface_.points();
@@ -146,6 +165,7 @@ void Foam::smoothedParticles::closedSurface::cut(const dictionary& dict)
 
     DynamicList<point> corners;
     DynamicList<labelledTri> triangles;
+    Map<label> next;
     EdgeMap<label> cornerOf;
     const auto corner = [&](const label i, const label j)
     {
@@ -187,26 +207,44 @@ void Foam::smoothedParticles::closedSurface::cut(const dictionary& dict)
             area_ += mag(corners[to] - corners[from]);
             triangles.append(labelledTri(from, to, to + 1, 0));
             triangles.append(labelledTri(from, to + 1, from + 1, 0));
+            next.insert(from/2, to/2);
         }
     }
     if (triangles.empty())
     {
-        FatalIOErrorInFunction(dict)
-            << "Entry file: " << file_ << " is between z = " << box.min().z() << " and "
-            << box.max().z() << " m" << nl
-            << "Expected: in two dimensions, a surface that crosses z = 0." << exit(FatalIOError);
+        refuse
+        (
+            dict,
+            text("Entry file: ", file_, " is between z = ", box.min().z(), " and ", box.max().z(), " m"),
+            "in two dimensions, a surface that crosses z = 0."
+        );
     }
     surface_ = triSurface(triangles, pointField(corners));
+
+    // Round each outline
+    DynamicList<point> round;
+    DynamicList<face> outlines;
+    while (next.size())
+    {
+        DynamicList<label> outline;
+        auto at = next.begin();
+        while (at.good())
+        {
+            outline.append(round.size());
+            round.append(corners[2*at.key()] + up);
+            const label to = at.val();
+            next.erase(at);
+            at = next.find(to);
+        }
+        outlines.append(face(labelList(std::move(outline))));
+    }
+    outline_ = {pointField(std::move(round)), faceList(std::move(outlines))};
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::smoothedParticles::closedSurface::foot Foam::smoothedParticles::closedSurface::findNearest
-(
-    const point& p,
-    const scalar reach
-) const
+Foam::shape::foot Foam::closedSurface::findNearest(const point& p, const scalar reach) const
 {
     foot result;
     const triangleTree::nearest nearest(tree_->findNearest(p, reach));
@@ -214,18 +252,31 @@ Foam::smoothedParticles::closedSurface::foot Foam::smoothedParticles::closedSurf
     {
         result.found = true;
         result.x = nearest.x;
-        result.triangle = nearest.triangle;
+        result.facet = nearest.triangle;
         result.depth = mag(p - result.x);
         if (triSurfaceTools::surfaceSide(surface_, p, nearest.triangle) != triSurfaceTools::INSIDE)
         {
             result.depth *= -1;
         }
+        // On the surface itself there is no direction to it
+        result.normal =
+            mag(result.depth) > SMALL*mag(box_.span())
+          ? vector((result.x - p)/result.depth)
+          : surface_.faceNormals()[nearest.triangle];
     }
     return result;
 }
 
 
-bool Foam::smoothedParticles::closedSurface::contains(const point& p) const
+bool Foam::closedSurface::touch(const point& p, const scalar radius, touching& t) const
+{
+    const foot nearest(findNearest(p, GREAT));
+    t = {radius + nearest.depth, nearest.normal, facets_[nearest.facet]};
+    return t.depth > 0;
+}
+
+
+bool Foam::closedSurface::contains(const point& p) const
 {
     return box_.contains(p) && findNearest(p, GREAT).depth > 0;
 }

@@ -32,7 +32,7 @@ inline scalar distance2(const boundBox& box, const point& p)
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::smoothedParticles::triangleTree::triangleTree(const triSurface& surface)
+Foam::triangleTree::triangleTree(const triSurface& surface)
 :
     triangles_(surface.size())
 {
@@ -48,7 +48,7 @@ Foam::smoothedParticles::triangleTree::triangleTree(const triSurface& surface)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::smoothedParticles::triangleTree::build(const std::int32_t first, const std::int32_t last)
+void Foam::triangleTree::build(const std::int32_t first, const std::int32_t last)
 {
     boundBox box(boundBox::invertedBox);
     for (std::int32_t i = first; i < last; ++i)
@@ -87,7 +87,7 @@ void Foam::smoothedParticles::triangleTree::build(const std::int32_t first, cons
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::smoothedParticles::triangleTree::nearest Foam::smoothedParticles::triangleTree::findNearest
+Foam::triangleTree::nearest Foam::triangleTree::findNearest
 (
     const point& p,
     const scalar reach
