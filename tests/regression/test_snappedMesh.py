@@ -109,7 +109,8 @@ def test_snappedMesh(tmp_path: Path, model: str, mesh: str, forward: np.ndarray,
     points, triangles = wall(tmp_path, forward, dorsal)
     share = 0.5 if model == "half" else 1
     assert enclosed(points, triangles) == pytest.approx(share*shape.volume, rel=0.02)
-    assert points[:, 0].min() == pytest.approx(0, abs=1e-3) and points[:, 0].max() == pytest.approx(LENGTH, abs=1e-3)
+    # The tip, to 0.4 of the cells there (0.0125), which would cut off 0.02 to 0.035; the base
+    assert 0 <= points[:, 0].min() + 1e-6 and points[:, 0].min() < 0.4*0.0125 and points[:, 0].max() == pytest.approx(LENGTH, abs=1e-3)
     # The edge between the cylinder and the flat base is kept, all round
     edge = points[(points[:, 0] > LENGTH - 2e-3) & (np.hypot(points[:, 1], points[:, 2]) > 0.98*RADIUS)]
     around = np.sort(np.arctan2(edge[:, 1], edge[:, 2]))

@@ -159,7 +159,7 @@ def body_mesh(meshes: Meshes, first_layer: "float | None") -> _Body:
         reach = entries["snappedReach"] - scene.shape.max_diameter / 2
         return _Body({"bodyMesh": "snapped", **entries, **snappedMesh.place(scene.forward, scene.dorsal, scene.nose)},
                      entries["snappedEstimatedCells"], entries["snappedFirstLayer"] * entries["snappedWallSpacing"],
-                     entries["snappedEdgeSpacing"], reach)
+                     entries["snappedNoseSpacing"], reach)
     size = meshes.size()
     if first_layer is not None:
         size = with_first_layer(size, first_layer)
