@@ -327,7 +327,9 @@ def test_no_uncertainty_is_taken_from_another_dive(tmp_path):
             "boundaryLayer frictionLine only, not for ")
     for change, ends in (({"tier": "fine"}, "tier fine."), ({"speed": "10", "bodyMass": "3"}, "bodyMass 3, speed 10."),
                          ({"fluids": "kraken"}, "fluids kraken; validation/diveUncertainty/Allrun -fluids kraken measures it."),
-                         ({"freedom": "axial"}, "freedom axial."), ({"shape": "spheroid"}, "shape spheroid."),
+                         ({"freedom": "axial"}, "freedom axial."),
+                         ({"application": "plungeSPH", "mesh": "none"}, "application plungeSPH."),
+                         ({"shape": "spheroid"}, "shape spheroid."),
                          ({"forward": "(0 0 -1)", "heading": "(0.6 0 -0.8)"}, "heading (0.6 0 -0.8)."),
                          ({"angularMomentum": "(0 1 0)"}, "angularMomentum (0 1 0).")):
         write_dive_parameters(tmp_path, **change)
@@ -974,6 +976,7 @@ TURNED = MOVED | {"Lateral acceleration, body axes", "Pitch"}
 
 @pytest.mark.parametrize("body, straight, shows", [
     (Body("free"), False, TURNED | {"Path of the centre of mass", FORCE + "whole body"}),
+    (Body("free", False, "z", 0.1, 0.01, 500), False, TURNED | {"Path of the centre of mass", FORCE + "whole body", "coefficient"}),
     (Body("planar", True, "z", 0.1, 0.1, 500), True, TURNED | {FORCE + "per metre", "coefficient"}),
     (Body("axial", False, "z", 0.1, 0.01, 500), True, MOVED | {FORCE + "whole body", "coefficient"}),
     (Body("axial"), True, MOVED | {FORCE + "whole body"}),
