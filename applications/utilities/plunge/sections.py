@@ -151,7 +151,7 @@ class Look:
             for name, values in (("pressure", section.pressure), ("speed", section.speed)):
                 if values is not None and near.any():
                     largest[name] = max(largest[name], float(np.percentile(np.abs(values[near]), 100 - OUTLIERS)))
-        pressure, speed = round_up(largest["pressure"] / per_pressure), round_up(largest["speed"] / per_speed)
+        pressure, speed = (round_up(largest[name] / per or 1.0) for name, per in (("pressure", per_pressure), ("speed", per_speed)))
         return cls(limits, ScalarMappable(Normalize(-pressure, pressure), "RdBu_r"), ScalarMappable(Normalize(0, speed), "GnBu"),
                    per_pressure, per_speed, (labels[0], labels[1]))
 
