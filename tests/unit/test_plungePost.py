@@ -782,6 +782,30 @@ def test_the_picture_of_an_axisymmetric_model_shows_pressure_on_the_left_and_spe
     assert sections.scales(tmp_path / "case")[:2] == (8000, 4)
 
 
+@pytest.mark.parametrize("level", [-2.0, 0.0, 2.0])
+def test_a_frame_without_a_surface_is_drawn_without_complaint(level, recwarn):
+    """All gas, both, all liquid."""
+    from matplotlib.cm import ScalarMappable
+    from matplotlib.colors import Normalize
+    from plunge import sections
+    from plunge.figures import plt
+
+    points = np.array([(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)])
+    zero = np.zeros(4)
+    section = sections.Section(0.0, points, zero, zero, [], [], points[:, 1] + 0.5 + level, np.array([(0, 1, 2), (0, 2, 3)]))
+    look = sections.Look((-1, 1, -1, 1), *(ScalarMappable(Normalize(-1, 1)) for _ in range(2)), 1.0, 1.0, ("", ""))
+
+    class Film:
+        mirrored = False
+
+    figure, axes = plt.subplots()
+    sections.draw(axes, Film(), section, look)
+    assert not recwarn
+    filled = sum(len(c.get_paths()) > 0 for c in axes.collections[1:])
+    assert filled == {-2.0: 1, 0.0: 2, 2.0: 0}[level]  # the gas; the gas and the line; neither
+    plt.close(figure)
+
+
 def test_the_frame_is_about_the_body_and_the_surface():
     from plunge.sections import frame
 

@@ -190,8 +190,11 @@ def draw(axes: Axes, film: Film, section: Section, look: Look) -> None:
             continue
         mesh = Triangulation(*points.T, section.triangles[seen])
         axes.tripcolor(mesh, values, shading="gouraud", cmap=colours.cmap, norm=colours.norm, rasterized=True)
-        axes.tricontourf(mesh, section.alpha, levels=[-1e3, LEVEL], colors=[GAS])
-        axes.tricontour(mesh, section.alpha, levels=[LEVEL], colors=[SURFACE], linewidths=1.1)
+        there = section.alpha[mesh.triangles]
+        if there.min() < LEVEL:
+            axes.tricontourf(mesh, section.alpha, levels=[-1e3, LEVEL], colors=[GAS])
+            if there.max() > LEVEL:
+                axes.tricontour(mesh, section.alpha, levels=[LEVEL], colors=[SURFACE], linewidths=1.1)
     for i, line in enumerate(section.body):
         hull, = axes.fill(*line.T, facecolor=BODY, edgecolor="0.2", linewidth=0.6, zorder=3)
         if section.onBody is not None:
@@ -230,8 +233,9 @@ def sheet(title: str, film: Film, look: Look) -> Figure:
         ax.set_axis_off()
     for ax, instant in zip(axes.flat, chosen):
         draw(ax, film, film.section(instant), look)
-    for ax in axes[-1]:
+    for ax in axes.flat[len(chosen) - columns : len(chosen)]:  # the lowest of each column
         ax.set_xlabel(f"{film.axes[0]} [m]")
+        ax.tick_params(labelbottom=True)
     for ax in axes[:, 0]:
         ax.set_ylabel(f"{film.axes[1]} [m]")
     colour_bars(figure, list(axes.flat), film, look)
