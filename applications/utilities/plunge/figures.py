@@ -168,9 +168,10 @@ def trajectory_figure(title: str, table: Table, ledger: Table | None, numbers: Q
         *(["speed", "slow"] if not body.driven else []),
         *(["lateral", "pitch"] if body.turns else []),
         "force",
-        *(["coefficient"] if not wanders and body.freedom != "fixed" and body.area and body.pressure else []),
         *(["ledger"] if ledger is not None else []),
     ]
+    if body.freedom != "fixed" and body.area and body.pressure and (not wanders or len(wanted) % 2):
+        wanted.insert(wanted.index("force") + 1, "coefficient")
     rows = -(-len(wanted) // 2)
     figure, axes = plt.subplots(rows, 2, figsize=(A4[0], A4[1] * (2 * rows + 0.4) / (PANELS + 0.4)), constrained_layout=True,
                                 squeeze=False)

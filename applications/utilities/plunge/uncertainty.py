@@ -106,6 +106,8 @@ def read_uncertainties(case: Path) -> tuple[dict[str, Uncertainty], str]:
     if "fluids" in nearest:
         nearest = [name for name in nearest if name not in FLUIDS]
     nearest += other
+    if "application" in nearest:  # the rest follows from it
+        nearest = ["application"]
     if nearest:
         only = ", ".join(f"{name} {' or '.join(dict.fromkeys(row[name] for row in rows))}" for name in NAMED)
         ours = ", ".join(f"{name} {short({**given, **here}[name]) or 'unknown'}" for name in nearest)
