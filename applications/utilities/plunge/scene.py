@@ -109,6 +109,10 @@ class Scene:
         """Of the liquid, the body's length and its speed."""
         return self.fluids["liquidDensity"] * self.reference_speed * self.shape.length / self.fluids["liquidViscosity"]
 
+    @property
+    def weber(self) -> float:
+        return self.fluids["liquidDensity"] * self.reference_speed**2 * self.shape.length / self.fluids["surfaceTension"]
+
     @cached_property
     def forward(self) -> np.ndarray:
         angle = radians(self.given.get("entry.attitude", self.angle))
