@@ -265,6 +265,6 @@ def copy(tank: Tank, flat: dict[str, Any], run: Path, note: str) -> None:
     if tank.probes:
         lines.append(f"probes {{ {probed} fields (p U alpha.liquid); probeLocations "
                      f"{_listed([mesh.inside(place) for place in tank.probes.values()])}; }}")
-    lines += [f"walls_{name} {{ type forces; libs (forces); writeControl runTime; writeInterval $:tableInterval; patches ({name}); "
-              "rho rho; CofR (0 0 0); }" for name in (*tank.obstacles, OUTSIDE)]
+    lines += [f"walls_{name} {{ type forces; libs (forces); executeControl runTime; executeInterval $:tableInterval; writeControl runTime; "
+              f"writeInterval $:tableInterval; patches ({name}); rho rho; CofR (0 0 0); log no; }}" for name in (*tank.obstacles, OUTSIDE)]
     (run / "system/tankFunctions").write_text("\n".join(["// Of controlDict. Gauges: columns of cells; probes; forces on walls.", *lines]) + "\n")
