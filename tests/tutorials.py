@@ -34,6 +34,12 @@ def foam(*command: object, case: Path, log: str = "log.foam") -> str:
     return done.stdout
 
 
+def runScene(scene: Path, directory: Path, *options: object) -> str:
+    """Makes the case of a scene, unless it is there, and runs it; the output of its Allrun."""
+    foam("plungeCase", scene, "-run", directory, *options, case=directory.parent, log="log.plungeCase")
+    return foam(directory / "Allrun", case=directory.parent, log="log.Allrun")
+
+
 def run(*command: object, case: Path, log: str = "log.foam") -> subprocess.CompletedProcess:
     """Runs a program in the case directory; its output goes into a log there, too."""
     # OpenFOAM takes a PWD that is not the working directory for a mistake.

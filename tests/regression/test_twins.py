@@ -8,7 +8,7 @@ import pytest
 
 from conftest import REPOSITORY
 from test_stockSolvers import difference
-from tutorials import cellVolumes, checkRefused, compare, converge, copy, foam, setEntry, setUp, solve
+from tutorials import cellVolumes, checkRefused, compare, converge, copy, foam, runScene, setEntry, setUp, solve
 
 
 @pytest.mark.parametrize("tutorial, coarser, endTime, tolerance", [
@@ -64,10 +64,9 @@ def test_restart(tutorial: str, coarser: int, deltaT: float, tolerance: float, t
                                                 ("overset", 1, "wallFunction")])
 def test_interruptedDive(mesh: str, ranks: int, layer: str, tmp_path: Path) -> None:
     """Stopped and started again, and killed while it wrote, a dive is bit for bit the one that went through."""
-    allrun = (REPOSITORY / "cases/gannetPlunge/Allrun", "-mesh", mesh, "-np", ranks, "-boundaryLayer", layer, "-resolution", 0.5,
-              "-set", f"dive.travel={0.05 if layer == 'wallFunction' else 0.1}", "-set", "output.frames=7", "-run")
-    foam(*allrun, tmp_path / "whole", case=tmp_path)
     whole = tmp_path / "whole"
+    runScene(REPOSITORY / "cases/gannetPlunge", whole, "-mesh", mesh, "-np", ranks, "-boundaryLayer", layer, "-resolution", 0.5,
+             "-set", f"travel={0.05 if layer == 'wallFunction' else 0.1}", "-set", "frames=7")
     parts = [f"processor{i}" for i in range(ranks)] if ranks > 1 else ["."]
     written = compare.times(whole / parts[0])
 
@@ -92,7 +91,7 @@ def test_interruptedDive(mesh: str, ranks: int, layer: str, tmp_path: Path) -> N
     (half / "uniform/unfinished").touch()
     if ranks == 1:
         checkRefused("plungeFoam", run, (f"Time {written[3]} is not complete", "Remove"))
-    foam(*allrun, run, case=tmp_path)
+    foam(run / "Allrun", case=tmp_path)
 
     assert (run / "results/trajectory.csv").read_bytes() == (whole / "results/trajectory.csv").read_bytes()
     assert compare.times(run / parts[0]) == written

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""plungeCase: geometry of the body, its mesh, checks of the parameters, run directories."""
+"""plungeCase: the dive's body and meshes, checks of scene and options, run directories. Other shapes: test_shapes.py."""
 
 import shutil
 import subprocess
@@ -8,8 +8,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from plunge import bodyMesh, bodySurface, boundaryLayer, diveParameters, foamDictionary
-from plunge.bodyGeometry import Body
+from plunge import boundaryLayer, case as cases, fluids as pairs, foamDictionary, meridianMesh
+from plunge import scene as scenes
+from plunge.checks import ParameterError
+from plunge.methods import meshes, tiers
+from plunge.shapes import NACA
 
 ROOT = Path(__file__).resolve().parents[2]
 TOOLS = ROOT / "applications/utilities/plungeCase"
@@ -23,8 +26,8 @@ def case(tmp_path: Path) -> Path:
 
 
 def plungeCase(case: Path, *arguments: str) -> subprocess.CompletedProcess:
-    return subprocess.run([str(TOOLS / "plungeCase"), "-case", str(case), *arguments],
-                          capture_output=True, text=True)
+    run = [str(case / word) if word.startswith("run/") else word for word in arguments]
+    return subprocess.run([str(TOOLS / "plungeCase"), str(case), *run], capture_output=True, text=True)
 
 
 def edit(path: Path, old: str, new: str) -> None:
@@ -44,7 +47,7 @@ def test_body_integrals_agree_with_quadrature() -> None:
         0.2969 * np.sqrt(s) - 0.1260 * s - 0.3516 * s**2 + 0.2843 * s**3 - 0.1036 * s**4)
     volume = np.trapz(np.pi * r**2, x)
     centroid = np.trapz(np.pi * r**2 * x, x) / volume
-    body = Body(length, ratio)
+    body = NACA(length, ratio)
     assert body.volume == pytest.approx(volume, rel=1e-6)
     assert body.wetted_area == pytest.approx(np.trapz(2 * np.pi * r * np.sqrt(1 + np.gradient(r, x) ** 2), x), rel=1e-3)
     assert body.centroid == pytest.approx(centroid, rel=1e-6)
@@ -57,10 +60,12 @@ def test_body_integrals_agree_with_quadrature() -> None:
 # --- body mesh ---------------------------------------------------------------
 
 
-def fast_mesh(resolution: float = 1, full: bool = False) -> tuple[Body, bodyMesh.VolumeMesh]:
-    dive = diveParameters.read(CASE, {"tier": "fast"})
-    body = Body(1.0, 0.1)
-    return body, bodyMesh.build(body, diveParameters.mesh_size(body, dive.tier, resolution), full)
+def fast_size(resolution: float = 1) -> meridianMesh.MeshSize:
+    return meshes.Meshes(scenes.read(CASE), tiers.read("fast", {}), resolution, 1, "half", "overset").size()
+
+
+def fast_mesh(resolution: float = 1, full: bool = False) -> tuple[NACA, meridianMesh.VolumeMesh]:
+    return NACA(1.0, 0.1), meridianMesh.build(NACA(1.0, 0.1), fast_size(resolution), "full" if full else "half")
 
 
 def enclosed(nodes: np.ndarray, quads: np.ndarray) -> float:
@@ -71,7 +76,7 @@ def enclosed(nodes: np.ndarray, quads: np.ndarray) -> float:
     return float(np.einsum("ijk,ijk->", areas, np.broadcast_to(middle, points.shape)) / 3)
 
 
-def hexahedron_volumes(mesh: bodyMesh.VolumeMesh) -> np.ndarray:
+def hexahedron_volumes(mesh: meridianMesh.VolumeMesh) -> np.ndarray:
     faces = ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))
     corners = mesh.nodes[mesh.hexahedra]
     centre = corners.mean(axis=1, keepdims=True)
@@ -121,8 +126,8 @@ def test_no_cell_is_collapsed() -> None:
 
 
 def test_surface_is_closed_wound_outwards_and_has_the_bodys_volume() -> None:
-    body = Body(2.0, 0.1)
-    points, triangles = bodySurface.build(body)
+    body = NACA(2.0, 0.1)
+    points, triangles = body.surface()
     edges = np.vstack([triangles[:, [a, (a + 1) % 3]] for a in range(3)])
     assert len(np.unique(edges, axis=0)) == len(edges)  # each edge once in its direction
     assert {tuple(edge) for edge in edges} == {tuple(edge) for edge in edges[:, ::-1]}  # and once against it
@@ -140,7 +145,7 @@ def test_surface_is_closed_wound_outwards_and_has_the_bodys_volume() -> None:
 
 
 def test_surface_lies_where_the_dive_starts(case: Path) -> None:
-    assert plungeCase(case, "-solver", "plungeSPH", "-run", "run/a", "-set", "body.length=2").returncode == 0
+    assert plungeCase(case, "-method", "particles", "-run", "run/a", "-set", "body.shape.length=2").returncode == 0
     run = case / "run/a"
     subprocess.run([TOOLS / "plungeBodySurface", "-case", run], check=True)
     data = (run / "constant/triSurface/body.stl").read_bytes()
@@ -161,58 +166,82 @@ def test_surface_lies_where_the_dive_starts(case: Path) -> None:
 
 
 @pytest.mark.parametrize("arguments, expected", [
-    (["-fluids", "oil"], "entry 'fluids' is oil; expected one of"),
-    (["-model", "quarter"], "entry 'model' is quarter; expected one of: half full"),
-    (["-np", "0"], "entry 'cores' is 0; expected a whole number, at least 1"),
-    (["-resolution", "fine"], "entry 'resolution' is fine; expected a number from 0.5 to 16"),
-    (["-solver", "interFoam"], "entry 'solver' is interFoam; expected one of: plungeFoam plungeSPH"),
-    (["-boundaryLayer", "turbulent"],
-     "entry 'boundaryLayer' is turbulent; expected one of: auto laminar wallFunction frictionLine none"),
-    (["-boundaryLayer", "laminar"], "entry 'boundaryLayer' is laminar, but the mesh's first layer is 0.00288 m and a laminar layer "
+    (["-fluids", "oil"], "entry 'fluids' is oil; expected one of: titan"),
+    (["-model", "eighth"], "-model eighth: expected one of: auto plane axisymmetric quarter half full"),
+    (["-model", "axisymmetric"], "-model axisymmetric, but the body does not move along its own, vertical axis; expected half or full"),
+    (["-model", "plane"], "-model plane, but the shape NACA is a body in space; expected auto, axisymmetric, half or full"),
+    (["-model", "half", "-set", "entry.sideslip=5"], "-model half, but sideslip; expected full"),
+    (["-mesh", "moving"], "-mesh moving: expected one of: auto overset single"),
+    (["-tier", "coarse"], "-tier coarse: expected one of"),
+    (["-np", "0"], "-np 0: expected a whole number, at least 1"),
+    (["-resolution", "fine"], "-resolution fine: expected a number from 0.25 to 16"),
+    (["-method", "interFoam"], "-method interFoam: expected one of: meshes particles"),
+    (["-boundaryLayer", "turbulent"], "-boundaryLayer turbulent: expected one of: auto laminar wallFunction frictionLine none"),
+    (["-boundaryLayer", "laminar"], "-boundaryLayer laminar, but the mesh's first layer is 0.00288 m and a laminar layer "
                                     "at Re = 1.64e+07 needs 7.86e-05 m; expected frictionLine, or a finer mesh"),
-    (["-solver", "plungeSPH", "-boundaryLayer", "frictionLine"],
-     "entry 'boundaryLayer' is frictionLine; expected auto or none: plungeSPH has no boundary layer"),
+    (["-method", "particles", "-boundaryLayer", "frictionLine"],
+     "-boundaryLayer frictionLine: expected auto or none: plungeSPH has no boundary layer"),
+    (["-method", "particles", "-surfaceTension", "on"], "-surfaceTension on: expected auto or off: plungeSPH has none"),
+    (["-method", "particles", "-soundSpeed", "0"], "-soundSpeed 0: expected metres per second, above 0"),
+    (["-soundSpeed", "100"], "-soundSpeed is of particles; expected -method particles with it"),
     (["-set", "transitionReynolds=-1"], "entry 'transitionReynolds' is -1; expected a number, 0 or above"),
-    (["-set", "particles.c0=0"], "entry 'particles.c0' is 0; expected a number above 0"),
     (["-set", "body.mass=-1"], "entry 'body.mass' is -1; expected a number above 0"),
-    (["-set", "dive.angel=60"], "unknown entry 'dive.angel'"),
+    (["-set", "entry.angel=60"], "unknown entry 'entry.angel'"),
+    (["-set", "entry.angle=-60"], "entry 'entry.angle' is -60, so that the body does not come down"),
+    (["-set", "entry.gap=1e-5", "-set", "body.shape.thicknessRatio=0.4"], "but the body reaches"),
+    (["-set", "entry.drop=1"], "entries 'entry.speed' and 'entry.drop' are both given; expected one of them"),
+    (["-set", "body.freedom=fixed"], "entry 'body.freedom' is fixed, but the body has a speed or a spin"),
+    (["-set", "body.centreOfMass=1.2"], "entry 'body.centreOfMass' is 1.2; expected metres aft of the nose, inside the body"),
+    (["-set", "body.shape.type=cube"], "entry 'shape.type' is cube; expected one of: NACA"),
+    (["-set", "body.shape.width=1"], "shape NACA: unknown entry 'width'; expected: length thicknessRatio"),
+    (["-set", "tier.layers=2"], "entry 'layers' is 2; expected a whole number, at least 4"),
+    (["-set", "until=sunk"], "entry 'until' is sunk; expected one of: immersed atRest leftTheLiquid"),
+    (["-set", "tier=fine"], "-set tier=fine: expected the option -tier"),
 ])
 def test_bad_values_are_named(case: Path, arguments: list[str], expected: str) -> None:
     done = plungeCase(case, *arguments)
     assert done.returncode != 0
-    assert expected in done.stderr and "plungeParameters" in done.stderr
+    assert expected in done.stderr
     assert not (case / "run").exists()
 
 
 def test_missing_entry_and_broken_syntax_are_named(case: Path) -> None:
-    path = case / "system/plungeParameters"
-    edit(path, "    speed           25;", "    // speed")
-    assert "entry 'dive.speed' is missing; expected a number above 0" in plungeCase(case).stderr
-    edit(path, "dive\n{", "dive\n")
-    assert "plungeParameters, line" in plungeCase(case).stderr
+    path = case / "constant/scene"
+    edit(path, "    speed       25;", "    // speed")
+    missing = plungeCase(case).stderr
+    assert f"{path}: entry 'entry.speed' is missing; expected the speed at the start [m/s], or drop" in missing
+    edit(path, "entry\n{", "entry\n")
+    assert f"{path}, line" in plungeCase(case).stderr
+
+
+def test_several_bodies_and_no_scene_are_refused(case: Path) -> None:
+    path = case / "constant/scene"
+    edit(path, "body\n{\n", "body\n{\n first {\n")
+    edit(path, "freedom     free;", "freedom     free; }")
+    assert "entry 'body' holds several bodies, first; expected one" in plungeCase(case).stderr
+    assert "expected a scene: a case directory with constant/scene, or a scene file" in plungeCase(case / "constant").stderr
 
 
 def test_fluids_are_those_of_titanProperties_unless_typed(case: Path) -> None:
-    fluids = diveParameters.read(case, {"fluids": "kraken"}).fluids
-    lake = diveParameters.fluid_properties("Kraken", 92, "here")
+    fluids = pairs.resolve("kraken", "here")[1]
+    lake = pairs.fluid_properties("Kraken", 92, "here")
     assert (fluids["liquidDensity"], fluids["liquidViscosity"], fluids["surfaceTension"]) == \
         (lake["rho"], lake["mu"], lake["sigma"])
-    # A colder lake, under colder air, is denser
-    path = case / "constant/plungeFluids"
-    text = path.read_text()
-    path.write_text(text.replace("temperature         92;", "temperature         91;\n    gasDensity 5;", 1))
-    colder = diveParameters.read(case, {"fluids": "kraken"}).fluids
+    # A colder lake, under colder air, is denser; the surface's pressure and gravity are the place's
+    colder = pairs.resolve({"liquid": "Kraken", "gas": "titanAir", "temperature": 91, "gasDensity": 5}, "here")[1]
     assert colder["liquidDensity"] > fluids["liquidDensity"] and colder["gasDensity"] == 5
+    assert (colder["surfacePressure"], colder["gravity"]) == (1.467e5, 1.35)
 
-    for old, new, expected in (
-            ("surfaceTension      0.0311;", "",
-             "entry 'surfaceTension' is missing, and liquid astraeusPaper does not give it; expected a number, 0 or above"),
-            ("astraeusPaper;", "krakne;", "krakne"),
-            ("astraeusPaper;", "astraeusPaper;\n    liquidDensty 3;", "unknown entry 'liquidDensty'"),
-            ("titanAir;", "titanAir;\n    temperature 300;", "-T does not go with astraeusPaper")):
-        path.write_text(text.replace(old, new, 1))
+    path = case / "constant/scene"
+    text = path.read_text()
+    for entries, expected in (
+            ("liquid Kraken;", "entry 'gasDensity' is missing; expected a number above 0"),
+            ("liquid krakne; gas titanAir;", "krakne"),
+            ("liquid water; gas earthAir; liquidDensty 3;", "unknown entry 'liquidDensty'"),
+            ("liquid astraeusPaper; gas titanAir; temperature 300;", "-T does not go with astraeusPaper")):
+        path.write_text(text.replace("fluids          titan;", f"fluids {{ {entries} }}", 1))
         refused = plungeCase(case, "-run", "run/refused")
-        assert refused.returncode != 0 and expected in refused.stderr and "plungeFluids, titan" in refused.stderr
+        assert refused.returncode != 0 and expected in refused.stderr and f"{path}, fluids" in refused.stderr
         assert not (case / "run").exists()
 
 
@@ -222,7 +251,7 @@ def test_half_model_has_half_the_mass_and_the_path_the_angle(case: Path) -> None
         assert plungeCase(case, "-model", model, "-run", f"run/{model}").returncode == 0
         values[model] = foamDictionary.read(case / f"run/{model}/system/plungeGenerated")
     half, full = values["half"], values["full"]
-    assert full["modelledMass"] == pytest.approx(full["bodyMass"]) == pytest.approx(664 * Body(1, 0.1).volume)
+    assert full["modelledMass"] == pytest.approx(full["bodyMass"]) == pytest.approx(664 * NACA(1, 0.1).volume)
     assert half["modelledMass"] == pytest.approx(full["bodyMass"] / 2)
     assert half["modelledMomentOfInertia"] == pytest.approx([i / 2 for i in full["bodyMomentOfInertia"]])
     assert np.degrees(np.arctan2(-half["initialVelocity"][2], half["initialVelocity"][0])) == pytest.approx(75)
@@ -232,9 +261,9 @@ def test_half_model_has_half_the_mass_and_the_path_the_angle(case: Path) -> None
 
 def particles(case: Path, *arguments: str) -> dict:
     """What plungeSPH's dive is generated from."""
-    done = plungeCase(case, "-solver", "plungeSPH", *arguments)
+    done = plungeCase(case, "-method", "particles", *arguments)
     assert done.returncode == 0, done.stderr
-    return foamDictionary.read(Path(done.stdout.strip()) / "system/plungeGenerated")
+    return foamDictionary.read(Path(done.stdout.splitlines()[-1]) / "system/plungeGenerated")
 
 
 def test_both_solvers_dive_from_the_same_scene(case: Path) -> None:
@@ -245,11 +274,11 @@ def test_both_solvers_dive_from_the_same_scene(case: Path) -> None:
     assert {"noseSpacing", "xCells", "courantLimit", "transitionReynolds"} <= of_meshes
     assert {"particleSpacing", "addedMassEstimate"} <= set(liquid) - set(mesh)
     assert {key for key in set(mesh) & set(liquid) if mesh[key] != liquid[key]} == \
-        {"application", "estimatedSteps", "boundaryLayer", "decisions"}
-    run = case / "run/water-fast-plungeSPH"
+        {"application", "estimatedSteps", "boundaryLayer", "decisions", "mesh"}
+    run = case / "run/water-fast-particles"
     files = {str(path.relative_to(run)) for path in run.rglob("*") if path.is_file()}
-    assert files == {"constant/g", "constant/bodyMotion", "constant/particleProperties", "plunge.sbatch",
-                     "system/controlDict", "system/plungeGenerated"}
+    assert files == {"Allrun", "constant/g", "constant/bodyMotion", "constant/particleProperties", "constant/scene",
+                     "constant/uncertainty.csv", "plunge.sbatch", "system/controlDict", "system/plungeGenerated"}
     assert not (case / "run/water-fast/constant/particleProperties").exists()
 
 
@@ -262,8 +291,8 @@ def expanded(run: Path, dictionary: str, entry: str) -> dict:
 
 @pytest.mark.parametrize("model", ["half", "full"])
 def test_both_solvers_move_the_same_body(case: Path, model: str) -> None:
-    for solver in diveParameters.SOLVERS:
-        assert plungeCase(case, "-solver", solver, "-model", model, "-run", f"run/{solver}").returncode == 0
+    for method, solver in cases.APPLICATIONS.items():
+        assert plungeCase(case, "-method", method, "-model", model, "-run", f"run/{solver}").returncode == 0
     motion = expanded(case / "run/plungeFoam", "constant/dynamicMeshDict", "sixDoFRigidBodyMotionCoeffs")
     body = expanded(case / "run/plungeSPH", "constant/particleProperties", "bodies/body")
     # plungeFoam computes the added mass
@@ -299,10 +328,10 @@ def test_particles_fill_whole_spacings_about_the_path(case: Path) -> None:
 
 
 def test_speed_of_sound_is_ten_times_that_of_free_fall_unless_given(case: Path) -> None:
-    g = particles(case, "-run", "run/a", "-set", "dive.speed=20", "-fluids", "water")
+    g = particles(case, "-run", "run/a", "-set", "entry.speed=20", "-fluids", "water")
     height = 1.125 * np.sin(np.radians(75))
     assert g["particleSoundSpeed"] == pytest.approx(10 * np.sqrt(20**2 + 2 * 9.81 * height))
-    assert particles(case, "-run", "run/b", "-set", "particles.c0=11.6")["particleSoundSpeed"] == 11.6
+    assert particles(case, "-run", "run/b", "-soundSpeed", "11.6")["particleSoundSpeed"] == 11.6
 
 
 def test_particles_take_steps_of_half_the_smoothing_length_over_the_speed_of_sound(case: Path) -> None:
@@ -316,13 +345,16 @@ def test_particles_take_steps_of_half_the_smoothing_length_over_the_speed_of_sou
 
 def generated(**overrides: object) -> dict:
     """The entries of plungeGenerated; __ stands for a point."""
-    dive = diveParameters.read(CASE, {name.replace("__", "."): value for name, value in overrides.items()})
-    return {key: value for _, entries in diveParameters.derive(dive) for key, value in entries.items()}
+    return cases.derive(CASE, {name.replace("__", "."): value for name, value in overrides.items()}).flat
+
+
+def decision(found: dict, what: str) -> str:
+    return next(line for line in found["decisions"] if line.startswith(f"{what}: "))
 
 
 # The liquid's viscosity over its density is 1.5e-6 m2/s: Re is 6.5e5 times the speed
-SLOW = {"dive__speed": 0.01}    # the tier fast resolves its laminar layer
-MEDIUM = {"dive__speed": 0.5}   # and this one's not
+SLOW = {"entry__speed": 0.01}    # the tier fast resolves its laminar layer
+MEDIUM = {"entry__speed": 0.5}   # and this one's not
 
 
 @pytest.mark.parametrize("overrides, layer, reason", [
@@ -337,40 +369,65 @@ MEDIUM = {"dive__speed": 0.5}   # and this one's not
     ({"boundaryLayer": "none"}, "none", "as asked; Re = 1.64e+07"),
     ({"boundaryLayer": "frictionLine"}, "frictionLine", "as asked"),
     ({"boundaryLayer": "wallFunction"}, "wallFunction", "as asked"),
-    ({"solver": "plungeSPH"}, "none", "plungeSPH has none"),
-    ({"solver": "plungeSPH", "boundaryLayer": "none"}, "none", "plungeSPH has none"),
+    ({"method": "particles"}, "none", "plungeSPH has none"),
+    ({"method": "particles", "boundaryLayer": "none"}, "none", "plungeSPH has none"),
 ])
 def test_boundary_layer_follows_from_reynolds_number_and_mesh(overrides: dict, layer: str, reason: str) -> None:
     found = generated(**overrides)
     assert found["boundaryLayer"] == layer
-    assert found["decisions"][0].startswith(f"boundary layer: {layer} (") and reason in found["decisions"][0]
+    line = decision(found, "boundary layer")
+    assert line.startswith(f"boundary layer: {layer} (") and reason in line
     assert ("transitionReynolds" in found) == (found["application"] == "plungeFoam")
 
 
 @pytest.mark.parametrize("overrides, tension, reason", [
     ({}, "off", "We = 1.33e+07"),
-    ({"dive__speed": 6}, "on", "We = 7.69e+05"),
-    ({"dive__speed": 6, "body__length": 2}, "off", "We = 1.54e+06"),
-    ({"dive__speed": 6, "solver": "plungeSPH"}, "off", "plungeSPH has none"),
+    ({"entry__speed": 6}, "on", "We = 7.69e+05"),
+    ({"entry__speed": 6, "body__shape__length": 2}, "off", "We = 1.54e+06"),
+    ({"entry__speed": 6, "method": "particles"}, "off", "plungeSPH has none"),
 ])
 def test_surface_tension_follows_from_weber_number(overrides: dict, tension: str, reason: str) -> None:
     found = generated(**overrides)
     assert found["surfaceTensionModelled"] == tension
-    assert found["decisions"][1] == f"surface tension: {tension} ({reason})"
+    assert decision(found, "surface tension") == f"surface tension: {tension} ({reason})"
 
 
 def test_liquid_without_surface_tension(case: Path) -> None:
-    edit(case / "constant/plungeFluids", "0.0311;", "0;")
-    done = plungeCase(case, "-set", "dive.speed=1")
-    assert "\nsurface tension: off (the liquid has none)\n" in done.stderr
+    done = plungeCase(case, "-set", "entry.speed=1", "-set", "fluids={ }")
+    assert done.returncode != 0
+    edit(case / "constant/scene", "fluids          titan;", "fluids { liquid water; gas earthAir; surfaceTension 0; }")
+    assert "\nsurface tension: off (the liquid has none)\n" in plungeCase(case, "-set", "entry.speed=1").stderr
+    assert "-surfaceTension on, but the liquid has none" in plungeCase(case, "-surfaceTension", "on").stderr
 
 
 def test_decisions_are_printed_and_written(case: Path) -> None:
     done = plungeCase(case)
     given = foamDictionary.read(case / "run/titan-fast/system/plungeGenerated")
-    assert done.stderr.splitlines()[-2:] == given["decisions"] == [
-        "boundary layer: frictionLine (Re = 1.64e+07, above transition at 5e+05)", "surface tension: off (We = 1.33e+07)"]
+    assert done.stderr.splitlines()[-5:] == given["decisions"] == [
+        "model: half (nothing drives the body out of its plane of symmetry)", "mesh: overset (the body moves through the surface)",
+        "boundary layer: frictionLine (Re = 1.64e+07, above transition at 5e+05)", "surface tension: off (We = 1.33e+07)",
+        "compressibility: none (Ma = 0.0126 in the liquid, 0.128 in the gas)"]
     assert plungeCase(case, "-boundaryLayer", "none").stdout.strip() == str(case / "run/titan-fast-none")
+
+
+@pytest.mark.parametrize("overrides, model, mesh", [
+    ({}, "half", "overset"),
+    ({"entry__angle": 90}, "half", "overset"),                              # free: it may leave its axis
+    ({"entry__angle": 90, "body__freedom": "axial"}, "axisymmetric", "single"),
+    ({"entry__angle": 90, "body__freedom": "axial", "method": "particles"}, "quarter", "none"),
+    ({"entry__angle": 90, "body__freedom": "axial", "entry__attitude": 80}, "half", "overset"),
+    ({"entry__angle": 90, "body__freedom": "prescribed"}, "axisymmetric", "single"),
+    ({"entry__sideslip": 3}, "full", "overset"),
+    ({"entry__spin": [0, 1, 0]}, "half", "overset"),
+    ({"entry__spin": [1, 0, 0]}, "full", "overset"),
+    ({"body__centreOfMass": [0.4, 0.01, 0]}, "full", "overset"),
+    ({"model": "full", "mesh": "single"}, "full", "single"),
+])
+def test_dimension_and_symmetry_follow_from_shape_path_and_freedom(overrides: dict, model: str, mesh: str) -> None:
+    found = generated(**overrides)
+    assert (found["model"], found["mesh"]) == (model, mesh)
+    share = {"half": 0.5, "quarter": 0.25, "axisymmetric": np.sin(np.radians(5)) / (2 * np.pi), "full": 1}[model]
+    assert found["modelledMass"] == pytest.approx(share * found["bodyMass"])
 
 
 def keywords(run: Path, dictionary: str, entry: str = "") -> list:
@@ -429,19 +486,18 @@ def test_first_cells_of_wall_functions_are_in_the_logarithmic_layer(fluids: str,
 
 
 def test_mesh_that_is_fine_enough_for_wall_functions_stays() -> None:
-    size = diveParameters.mesh_size(Body(1.0, 0.1), diveParameters.read(CASE, {}).tier, 1)
-    own = bodyMesh.first_layers(size)
-    assert bodyMesh.with_first_layer(size, max(own)) == size
+    size = fast_size()
+    own = meridianMesh.first_layers(size)
+    assert meridianMesh.with_first_layer(size, max(own)) == size
     # Or stays where it is
-    thinner = bodyMesh.with_first_layer(size, 1.1 * min(own))
-    assert bodyMesh.first_layers(thinner) == pytest.approx([min(1.1 * min(own), first) for first in own])
+    thinner = meridianMesh.with_first_layer(size, 1.1 * min(own))
+    assert meridianMesh.first_layers(thinner) == pytest.approx([min(1.1 * min(own), first) for first in own])
     assert thinner.layers >= size.layers
 
 
 def test_mesh_of_wall_functions_fills_the_same_space() -> None:
     body, plain = fast_mesh()
-    size = diveParameters.mesh_size(body, diveParameters.read(CASE, {}).tier, 1)
-    mesh = bodyMesh.build(body, bodyMesh.with_first_layer(size, 2e-4), full=False)
+    mesh = meridianMesh.build(body, meridianMesh.with_first_layer(fast_size(), 2e-4), "half")
     volumes = hexahedron_volumes(mesh)
     assert (volumes < 0).all() or (volumes > 0).all()
     assert abs(volumes).sum() == pytest.approx(abs(hexahedron_volumes(plain)).sum(), rel=1e-3)
@@ -467,21 +523,22 @@ def test_run_directory_is_kept_for_the_same_dive_and_refused_for_another(case: P
     assert plungeCase(case, "-run", "run/a").returncode == 0
     assert kept.read_text().endswith("// edited by hand\n")
     refused = plungeCase(case, "-run", "run/a", "-fluids", "water")
-    assert refused.returncode != 0 and "holds another dive" in refused.stderr
-    refused = plungeCase(case, "-run", "run/a", "-solver", "plungeSPH")
-    assert refused.returncode != 0 and "holds another dive" in refused.stderr and "application" in refused.stderr
+    assert refused.returncode != 0 and "holds another scene" in refused.stderr
+    refused = plungeCase(case, "-run", "run/a", "-method", "particles")
+    assert refused.returncode != 0 and "holds another scene" in refused.stderr and "application" in refused.stderr
 
 
 @pytest.mark.parametrize("cores", [1, 2, 6, 7, 64])
 def test_ranks_are_all_used(cores: int) -> None:
-    assert np.prod(diveParameters.cores_split(cores)) == cores
+    assert np.prod(meshes.cores_split(cores, flat=False)) == cores
+    assert np.prod(meshes.cores_split(cores, flat=True)) == cores and meshes.cores_split(cores, flat=True)[1] == 1
 
 
 def test_wall_functions_are_refused_where_their_layer_is_thinner_than_the_mesh_is_made_for() -> None:
-    with pytest.raises(diveParameters.ParameterError, match=r"wallFunction, but first cells would be at y\+ = 2.*expected 30 to 300"):
+    with pytest.raises(ParameterError, match=r"-boundaryLayer wallFunction, but first cells would be at y\+ = 2.*expected 30 to 300"):
         generated(boundaryLayer="wallFunction", **MEDIUM)
 
 
 def test_numbers_are_finite() -> None:
-    with pytest.raises(diveParameters.ParameterError, match="'dive.speed' is inf; expected a number above 0"):
-        generated(**{"dive.speed": float("inf")})
+    with pytest.raises(ParameterError, match="'entry.speed' is inf; expected a number, 0 or above"):
+        generated(**{"entry.speed": float("inf")})

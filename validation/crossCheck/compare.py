@@ -98,7 +98,7 @@ def main() -> int:
 
     write(HERE / "result.csv", rows)
     show(rows)
-    subprocess.run(["plungeOverlay", *arguments.runs, "--mean", str(window), "-o", FIGURE], check=True)
+    subprocess.run(["plungeOverlay", *arguments.runs, "-mean", str(window), "-o", FIGURE], check=True)
     return 0
 
 

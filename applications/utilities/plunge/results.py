@@ -140,17 +140,65 @@ def even_running_mean(value: np.ndarray, rows: float) -> np.ndarray:
     return np.convolve(value, np.ones(n) / n, "same")
 
 
-def key_numbers(trajectory: Table, ledger: Table | None, extent: Table) -> Quantities:
-    """What the summary reports.
+@dataclass(frozen=True)
+class Body:
+    """What decides which numbers of a body say something."""
+
+    freedom: str = "free"       # of the scene
+    inPlane: bool = False       # forces, masses and volumes are per metre
+    up: str = "z"               # of the tables' axes; y in the plane of particles
+    width: float = 0.0          # largest, across the axis [m]
+    area: float = 0.0           # frontal [m2], in the plane [m2/m]; 0: not known
+    pressure: float = 0.0       # of the stream at the start, rho U2/2 [Pa]; 0: not known
+
+    @property
+    def driven(self) -> bool:
+        """Does it move as prescribed, or not at all, whatever the fluids do?"""
+        return self.freedom in ("fixed", "prescribed")
+
+    @property
+    def turns(self) -> bool:
+        return self.freedom in ("planar", "free")
+
+    @property
+    def force(self) -> str:
+        """Unit of its forces"""
+        return "N/m" if self.inPlane else "N"
+
+
+def read_body(case: Path) -> Body:
+    """The body that plungeCase has set up; without that, one that is free, in space."""
+    given = parameters(case)
+    if "freedom" not in given:
+        return Body()
+    width = float(given["bodyLength"]) * float(given["thicknessRatio"])
+    plane = given["model"] == "plane"
+    area = width if plane else 0.0 if given["shape"] == "surface" else np.pi / 4 * width**2
+    up = "y" if plane and given["application"] == "plungeSPH" else "z"
+    return Body(given["freedom"], plane, up, width, area, 0.5 * float(given["liquidDensity"]) * float(given["referenceSpeed"]) ** 2)
+
+
+def fluid_force(trajectory: Table) -> np.ndarray:
+    """What the fluids do to the whole body (3, n): pressure and friction, in N, in the plane N/m."""
+    return np.array([trajectory[f"Fp{c}_N"] + trajectory[f"Fv{c}_N"] for c in "xyz"])
+
+
+def key_numbers(trajectory: Table, ledger: Table | None, extent: Table, body: Body = Body()) -> Quantities:
+    """What the summary reports: of a body that starts in the liquid no contact, of one that is driven no loss of speed, of one that
+    cannot turn no pitch.
 
     extent: time_s, low_m and high_m of the body, from its surface at the written times.
     """
     time, speed = trajectory["time_s"], trajectory["speed_m_s"]
-    contact = crossing(time, trajectory["penetration_m"])
+    dry = trajectory["penetration_m"][0] < 0  # at the start
+    emerged = extent["high_m"][0] > 0
+    contact = crossing(time, trajectory["penetration_m"]) if dry else float("nan")
     # A start-up transient before contact is no impact; it is reported apart.
     wet = time >= contact if np.isfinite(contact) else np.ones_like(time, bool)
     slow = trajectory["deceleration_m_s2"]
     peak = int(np.argmax(np.where(wet, slow, -np.inf)))
+    force = np.linalg.norm(fluid_force(trajectory), axis=0)
+    strongest = int(np.argmax(np.where(wet, force, -np.inf)))
     immersion = crossing(extent["time_s"], extent["high_m"], falling=True)
     # Later peaks are those of friction and form, which grow with the wetted part
     height = float(extent["high_m"][0] - extent["low_m"][0])
@@ -160,23 +208,35 @@ def key_numbers(trajectory: Table, ledger: Table | None, extent: Table) -> Quant
     def at(name: str, when: float) -> float:
         return float(np.interp(when, time, trajectory[name])) if np.isfinite(when) else float("nan")
 
-    numbers: Quantities = {
-        "contact time": (contact, "s"),
-        "full immersion time": (immersion, "s"),
-        "end time": (float(time[-1]), "s"),
-        "initial speed": (float(speed[0]), "m/s"),
-        "impact deceleration": (float(slow[impact]) if early.any() else float("nan"), "m/s2"),
-        "time of impact deceleration": (float(time[impact]) if early.any() else float("nan"), "s"),
-        "peak deceleration": (float(slow[peak]), "m/s2"),
-        "peak deceleration in g": (float(slow[peak]) / G0, "g"),
-        "time of peak deceleration": (float(time[peak]), "s"),
-        "largest |deceleration| before contact": (float(np.max(np.abs(slow[~wet]), initial=0.0)), "m/s2"),
-        "velocity lost at full immersion": (float(speed[0]) - at("speed_m_s", immersion), "m/s"),
-        "velocity lost at end": (float(speed[0] - speed[-1]), "m/s"),
-        "pitch change at full immersion": (at("pitch_deg", immersion) - float(trajectory["pitch_deg"][0]), "deg"),
-        "pitch change at end": (float(trajectory["pitch_deg"][-1] - trajectory["pitch_deg"][0]), "deg"),
-        "penetration at end": (float(trajectory["penetration_m"][-1]), "m"),
-    }
+    numbers: Quantities = {}
+    if dry:
+        numbers["contact time"] = (contact, "s")
+    if emerged:
+        numbers["full immersion time"] = (immersion, "s")
+    numbers["end time"] = (float(time[-1]), "s")
+    numbers["initial speed"] = (float(speed[0]), "m/s")
+    if not body.driven:
+        if dry:
+            numbers["impact deceleration"] = (float(slow[impact]) if early.any() else float("nan"), "m/s2")
+            numbers["time of impact deceleration"] = (float(time[impact]) if early.any() else float("nan"), "s")
+        numbers["peak deceleration"] = (float(slow[peak]), "m/s2")
+        numbers["peak deceleration in g"] = (float(slow[peak]) / G0, "g")
+        numbers["time of peak deceleration"] = (float(time[peak]), "s")
+        if dry:
+            numbers["largest |deceleration| before contact"] = (float(np.max(np.abs(slow[~wet]), initial=0.0)), "m/s2")
+    numbers["peak force"] = (float(force[strongest]), body.force)
+    numbers["time of peak force"] = (float(time[strongest]), "s")
+    if body.area and body.pressure:
+        numbers["peak force coefficient"] = (float(force[strongest]) / (body.pressure * body.area), "-")
+    if not body.driven:
+        if emerged:
+            numbers["velocity lost at full immersion"] = (float(speed[0]) - at("speed_m_s", immersion), "m/s")
+        numbers["velocity lost at end"] = (float(speed[0] - speed[-1]), "m/s")
+        if body.turns:
+            if emerged:
+                numbers["pitch change at full immersion"] = (at("pitch_deg", immersion) - float(trajectory["pitch_deg"][0]), "deg")
+            numbers["pitch change at end"] = (float(trajectory["pitch_deg"][-1] - trajectory["pitch_deg"][0]), "deg")
+    numbers["penetration at end"] = (float(trajectory["penetration_m"][-1]), "m")
     if ledger is not None and ledger["time_s"].size:
         error = ledger["error_percent_of_body_volume"]
         numbers["max |volume ledger error|"] = (float(np.max(np.abs(error))), "% of body volume")
@@ -331,13 +391,15 @@ def scene_name(case: Path) -> str:
 
 
 def describe(case: Path) -> str:
-    """One line that names the case: directory, fluids, model, tier and cells or particles."""
+    """One line that names the case: directory, body and how it moves, fluids, model, tier and cells or particles."""
     words = [case.resolve().name]
     given = parameters(case)
     if given:
         length, speed, angle = (float(given[name]) for name in ("bodyLength", "speed", "pathAngle"))
-        words += [f"{length:g} m at {speed:g} m/s and {angle:g} deg", f"fluids {given['fluids']}", f"{given['model']} model",
-                  f"tier {given['tier']}"]
+        freedom = given.get("freedom", "free")
+        way = f"at {speed:.4g} m/s and {angle:g} deg" if speed else "fixed" if freedom == "fixed" else "from rest"
+        words += [f"{given.get('shape', 'body')} of {length:.4g} m {way}{', prescribed' if freedom == 'prescribed' else ''}",
+                  f"fluids {given['fluids']}", f"{given['model']} model", f"tier {given['tier']}"]
         if float(given["resolution"]) != 1:
             words.append(f"resolution {given['resolution']}")
     if solver_name(case) == "plungeSPH":

@@ -347,12 +347,12 @@ def _check_consistency(scene: Scene) -> None:
     if scene.freedom == "axial" and scene.spin[1:].any():
         raise ParameterError(f"{source}: entry 'entry.spin' turns the body, which freedom axial does not allow; expected planar or free")
     if not scene.immersed:
-        if scene.lowest <= 0:
-            raise ParameterError(f"{source}: entry 'entry.gap' is {given['entry.gap']:g}, but the body reaches {scene._below_nose:.4g} m "
-                                 "below its nose; expected more than that, or depth for a body that starts in the liquid")
         if scene.speed > 0 and scene.heading[2] >= 0:
             raise ParameterError(f"{source}: entry 'entry.angle' is {scene.angle:g}, so that the body does not come down; expected an "
                                  "angle above 0, or depth for a body that starts in the liquid")
+        if scene.lowest <= 0:
+            raise ParameterError(f"{source}: entry 'entry.gap' is {given['entry.gap']:g}, but the body reaches {scene._below_nose:.4g} m "
+                                 "below its nose; expected more than that, or depth for a body that starts in the liquid")
         if scene.freedom == "fixed":
             raise ParameterError(f"{source}: entry 'body.freedom' is fixed, but the body is above the liquid; expected depth")
         if scene.speed == 0 and scene.freedom == "prescribed":

@@ -46,6 +46,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 from vtkmodules.vtkParallelCore import vtkDummyController
 
 from plunge.results import CaseError, patch_types
+from plunge.sections import Section, cut, outlines
 
 HOLE = 2  # cellCellStencil: 0 calculated, 1 interpolated, 2 hole
 BACKGROUND = 0  # zoneID of the mesh that the others lie on
@@ -348,6 +349,9 @@ class Case:
             )
         self.overset = [name for name, kind in types.items() if kind == "overset"]
         self.half = any(kind in ("symmetry", "symmetryPlane") for kind in types.values())
+        self.mirrored = "wedge" in types.values()  # a sector about the axis x = y = 0
+        self.in_plane = self.mirrored or "empty" in types.values()
+        self.axes, self.plane = ("r" if self.mirrored else "x", "z"), ""
 
         opener = directory / "case.foam"
         opener.touch()
@@ -371,7 +375,7 @@ class Case:
         for field in (alpha, "p", "U", "zoneID", "cellTypes"):
             reader.SetCellArrayStatus(field, 1)
         self.reader = reader
-        self.times = [t for t in vtk_to_numpy(reader.GetTimeValues())] if reader.GetTimeValues() else []
+        self.times = [float(t) for t in vtk_to_numpy(reader.GetTimeValues())] if reader.GetTimeValues() else []
         if not self.times:
             raise CaseError(f"{directory}: no time directory that holds results")
 
@@ -379,10 +383,11 @@ class Case:
     def _numeric(directory: Path) -> list[Path]:
         return [d for d in directory.glob("*") if d.is_dir() and re.fullmatch(r"[\d.]+(e-?\d+)?", d.name)]
 
-    def surfaces(self, time: float) -> tuple[vtkPolyData, vtkPolyData]:
-        """(free surface, body), both whole, at a written time in s."""
+    def _read(self, time: float) -> tuple[vtkUnstructuredGrid, dict[str, list[vtkPolyData]], list[str]]:
+        """Mesh, patches and the names of the fields that there are, at a written time in s."""
         self.reader.UpdateTimeStep(time)
-        meshes, patches = [], {}
+        meshes: list[vtkUnstructuredGrid] = []
+        patches: dict[str, list[vtkPolyData]] = {}
 
         def walk(block, name: str) -> None:
             if block is None:
@@ -403,11 +408,19 @@ class Case:
         together.Update()
         mesh = together.GetOutput()
         mesh.GetPointData().Initialize()  # has motionScale where OpenFOAM was started again
+        fields = ["p", "U"] if mesh.GetCellData().HasArray("p") or time != self.times[0] else ["U"]
+        for name in (self.alpha, *fields):
+            if not mesh.GetCellData().HasArray(name):
+                raise CaseError(f"{self.directory}, time {time:g} s: field {name} is not among the written fields")
+        return mesh, patches, fields
+
+    def surfaces(self, time: float) -> tuple[vtkPolyData, vtkPolyData]:
+        """(free surface, body), both whole, at a written time in s."""
+        mesh, patches, fields = self._read(time)
         if self.overset and time == self.times[0] and not mesh.GetCellData().HasArray("cellTypes"):
             # The initial fields precede the first overset assembly: nothing is a hole yet.
             dsa.WrapDataObject(mesh).CellData.append(np.zeros(mesh.GetNumberOfCells()), "cellTypes")
         outer = [append(patches[name]) for name in self.overset if name in patches]
-        fields = ["p", "U"] if mesh.GetCellData().HasArray("p") or time != self.times[0] else ["U"]
         try:
             surface = free_surface(mesh, self.alpha, outer, self.half, fields)
         except CaseError as error:
@@ -415,6 +428,28 @@ class Case:
         hull = append(patches[self.body])
         keep_arrays(hull, fields)
         return surface, mirrored(hull) if self.half else hull
+
+    def section(self, instant: int) -> Section:
+        """The flow in the plane of a plane or axisymmetric model, at a written time."""
+        mesh, patches, fields = self._read(self.times[instant])
+        low, high = mesh.GetBounds()[2:4]
+        middle = 0.0 if self.mirrored else 0.5 * (low + high)
+        flow = append([cut(to_points(mesh, self.alpha), 1, middle)])
+        points = vtk_to_numpy(flow.GetPoints().GetData())[:, [0, 2]]
+        triangles = vtk_to_numpy(flow.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+        a, b, c = (points[triangles[:, i]] for i in range(3))
+        area = (b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0]
+        triangles = triangles[np.abs(area) > 1e-12 * np.abs(area).mean()]  # matplotlib takes none that are lines
+        values = {name: vtk_to_numpy(flow.GetPointData().GetArray(name)) for name in (self.alpha, *fields)}
+        to_corners = vtkCellDataToPointData()
+        to_corners.SetInputData(append(patches[self.body]))
+        to_corners.Update()
+        lines = outlines(to_corners.GetOutput(), 1, middle)
+        if self.mirrored:  # from the axis to the axis
+            lines = [(np.concatenate((line, line[::-1] * [-1, 1])), None if p is None else np.concatenate((p, p[::-1])))
+                     for line, p in lines]
+        return Section(self.times[instant], points, values.get("p"), np.linalg.norm(values["U"], axis=1), [line for line, _ in lines],
+                       [p for _, p in lines] if "p" in values else None, values[self.alpha], triangles)
 
 
 class Series:

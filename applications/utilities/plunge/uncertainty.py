@@ -12,6 +12,7 @@ from plunge.results import CaseError, Quantities, parameters
 
 TABLE = "constant/uncertainty.csv"  # plungeCase copies it from the case into its runs
 STUDY = "validation/diveUncertainty/Allrun"
+NOT_MEASURED = "Uncertainty: not measured. The same scene with -resolution 2 tells how much the mesh, or the spacing, matters."
 HEADLINES = ("impact deceleration", "peak deceleration", "velocity lost at full immersion", "full immersion time",
              "pitch change at full immersion")
 CAUSES = {"mesh": "mesh_uncertainty", "time step": "time_uncertainty", "boundary layer": "boundary_layer_uncertainty"}
@@ -21,6 +22,8 @@ NAMED = ("fluids", "tier", "model", "mesh", "resolution", "boundaryLayer")
 FLUIDS = ("liquidDensity", "liquidViscosity", "gasDensity", "gravity")
 CONDITIONS = NAMED + ("application", "transitionReynolds", "bodyLength", "thicknessRatio", "bodyMass", "bodyMomentOfInertia",
                       "centreOfMassFromNose", "speed", "pathAngle", "gap", "diveDuration", *FLUIDS)
+# What else names the dive that was measured: entries that have no column, since all rows have them in common
+IMPLIED = {"shape": "NACA", "freedom": "free", "angularMomentum": "(0 0 0)"}
 COLUMNS = CONDITIONS + ("quantity", "value", "unit", *CAUSES.values(), "total_uncertainty", "version", "date")
 
 
@@ -89,10 +92,12 @@ def short(entry: str) -> str:
 
 def read_uncertainties(case: Path) -> tuple[dict[str, Uncertainty], str]:
     """Those that were measured for this dive, by the number's name, and a sentence on what they hold for."""
-    here, rows = conditions(case), read_rows(case / TABLE)
-    measure = f"; {STUDY} -fluids {here['fluids']} measures it for the default dive, tier fast" if here["fluids"] else ""
+    here, rows, given = conditions(case), read_rows(case / TABLE), parameters(case)
     if not rows:
-        return {}, f"Uncertainty: not measured{measure}."
+        return {}, NOT_MEASURED
+    other = [name for name, value in IMPLIED.items() if given.get(name, value) != value]
+    if given.get("forward") != given.get("heading"):
+        other.append("heading")
 
     def differing(row: dict[str, str]) -> list[str]:
         return [name for name in CONDITIONS if not same(here[name], row[name])]
@@ -100,10 +105,12 @@ def read_uncertainties(case: Path) -> tuple[dict[str, Uncertainty], str]:
     nearest = min(map(differing, rows), key=len)
     if "fluids" in nearest:
         nearest = [name for name in nearest if name not in FLUIDS]
+    nearest += other
     if nearest:
         only = ", ".join(f"{name} {' or '.join(dict.fromkeys(row[name] for row in rows))}" for name in NAMED)
-        ours = ", ".join(f"{name} {short(here[name]) or 'unknown'}" for name in nearest)
-        return {}, f"Uncertainty: measured for {only} only, not for {ours}{measure if nearest == ['fluids'] else ''}."
+        ours = ", ".join(f"{name} {short({**given, **here}[name]) or 'unknown'}" for name in nearest)
+        ends = f"; {STUDY} -fluids {here['fluids']} measures it" if nearest == ["fluids"] else ""
+        return {}, f"Uncertainty: measured for the default dive, {only} only, not for {ours}{ends}."
 
     found: dict[str, Uncertainty] = {}
     version = ""

@@ -1,0 +1,473 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A body given as a closed surface of triangles: an STL (ascii or binary) or OBJ file in any units and axes."""
+
+from __future__ import annotations
+
+from functools import cached_property
+from pathlib import Path
+from typing import Any, Sequence
+
+import numpy as np
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import connected_components
+from scipy.spatial import cKDTree
+from scipy.special import elliprd
+
+_READERS = {".stl": "vtkSTLReader", ".obj": "vtkOBJReader"}
+
+# Points nearer to each other than this share of the diagonal are one: many times the rounding of an STL's single precision.
+_MERGED = 1e-6
+# Longest and shortest body [m] that is believed
+_LONGEST, _SHORTEST = 100.0, 1e-3
+# How far the mirror image of a symmetric body may lie from it, in lengths: the facets of a round body need not be mirrored.
+_ASYMMETRY = 2e-3
+_PROBES = 4000      # points that are mirrored
+# Moments of inertia within this ratio are equal; the file's axis is taken for a principal one within this angle [deg], since
+# bodies are drawn along axes and a fin tilts the principal one.
+_EQUAL, _NEAR = 0.02, 15.0
+# An end whose section, this share of the length behind it, is more than half of the largest one is flat.
+_CAP = 0.01
+
+
+class SurfaceError(Exception):
+    """A surface that cannot be a body; the message names file, place and what is expected."""
+
+
+def ellipsoid_added_mass(a: float, b: float, c: float) -> tuple[np.ndarray, np.ndarray]:
+    """Added mass along the axes of an ellipsoid of semi-axes a, b, c in unbounded ideal fluid over the displaced mass, and
+    added inertia about them over the displaced fluid's [-] (Lamb 1932, arts. 114, 115 and 373).
+
+    alpha_i = abc int_0^inf dl/((s_i^2 + l) sqrt((a^2 + l)(b^2 + l)(c^2 + l))), which is 2/3 abc R_D of Carlson.
+    """
+    squares = np.array([a, b, c], dtype=float) ** 2
+    following, last = np.roll(squares, -1), np.roll(squares, -2)
+    alpha = 2 / 3 * a * b * c * elliprd(following, last, squares)
+    difference, total = following - last, following + last
+    change = np.roll(alpha, -2) - np.roll(alpha, -1)
+    # About the axis of a body of revolution: 0/0, and no fluid moves
+    turns = np.abs(difference) > 1e-9 * total
+    safe = np.where(turns, difference, 1)
+    rotary = np.where(turns, safe**2 * change / (total * (2 * safe - total * change)), 0)
+    return alpha / (2 - alpha), rotary
+
+
+def _edges(triangles: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Edges as sorted pairs of points, for each side of each triangle the number of its edge, and how many triangles share it."""
+    sides = np.sort(triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1)
+    edges, number, shared = np.unique(sides, axis=0, return_inverse=True, return_counts=True)
+    return edges, number.ravel(), shared
+
+
+def _parts(pairs: np.ndarray, count: int) -> np.ndarray:
+    """Number of the connected part that each of `count` nodes belongs to."""
+    return connected_components(coo_matrix((np.ones(len(pairs)), pairs.T), shape=(count, count)), directed=False)[1]
+
+
+def _volume(points: np.ndarray, triangles: np.ndarray) -> float:
+    a, b, c = np.moveaxis(points[triangles], 1, 0)
+    return float(np.einsum("ij,ij->", a, np.cross(b, c)) / 6)
+
+
+def _polydata(points: np.ndarray, triangles: np.ndarray) -> Any:
+    from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+    from vtkmodules.vtkCommonCore import vtkPoints
+    from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+
+    corners, cells, data = vtkPoints(), vtkCellArray(), vtkPolyData()
+    corners.SetData(numpy_to_vtk(np.ascontiguousarray(points, dtype=float), deep=True))
+    cells.SetData(3, numpy_to_vtkIdTypeArray(np.ascontiguousarray(triangles, dtype=np.int64).ravel(), deep=True))
+    data.SetPoints(corners)
+    data.SetPolys(cells)
+    return data
+
+
+def _triangles_of(data: Any) -> tuple[np.ndarray, np.ndarray]:
+    """Points and triangles of a vtkPolyData whose polygons are triangles."""
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+
+    if not data.GetNumberOfPolys():
+        return np.empty((0, 3)), np.empty((0, 3), dtype=int)
+    return (vtk_to_numpy(data.GetPoints().GetData()).astype(float),
+            vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3).astype(int))
+
+
+def _distance(points: np.ndarray, triangles: np.ndarray, probes: np.ndarray) -> np.ndarray:
+    """Distance of the probes from the surface, negative inside."""
+    from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+    from vtkmodules.vtkCommonCore import vtkDoubleArray
+    from vtkmodules.vtkFiltersCore import vtkImplicitPolyDataDistance
+
+    function, found = vtkImplicitPolyDataDistance(), vtkDoubleArray()
+    function.SetInput(_polydata(points, triangles))
+    function.FunctionValue(numpy_to_vtk(np.ascontiguousarray(probes, dtype=float), deep=True), found)
+    return vtk_to_numpy(found).copy()
+
+
+def _read(path: Path) -> tuple[np.ndarray, np.ndarray]:
+    from vtkmodules import vtkIOGeometry
+    from vtkmodules.vtkCommonCore import vtkObject
+    from vtkmodules.vtkFiltersCore import vtkTriangleFilter
+
+    name = _READERS.get(path.suffix.lower())
+    if name is None:
+        raise SurfaceError(f"{path}: expected a file that ends in {' or '.join(_READERS)}")
+    if not path.is_file():
+        raise SurfaceError(f"{path}: cannot be read; expected an STL or OBJ file")
+    reader, triangulated = getattr(vtkIOGeometry, name)(), vtkTriangleFilter()
+    reader.SetFileName(str(path))
+    triangulated.SetInputConnection(reader.GetOutputPort())
+    triangulated.PassVertsOff()
+    triangulated.PassLinesOff()
+    loud = vtkObject.GetGlobalWarningDisplay()
+    vtkObject.GlobalWarningDisplayOff()
+    triangulated.Update()
+    vtkObject.SetGlobalWarningDisplay(loud)
+    points, triangles = _triangles_of(triangulated.GetOutput())
+    if not len(triangles):
+        raise SurfaceError(f"{path}: has no triangles; expected the surface of a body")
+    if not np.isfinite(points).all():
+        raise SurfaceError(f"{path}: has points that are not numbers")
+    return points, triangles
+
+
+def _merged(points: np.ndarray, triangles: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Equal points made one; dropped are triangles that have no area because of that, those that lie on each other in pairs and
+    enclose nothing, and points that no triangle uses."""
+    points, number = np.unique(points, axis=0, return_inverse=True)
+    tolerance = _MERGED * np.linalg.norm(np.ptp(points, axis=0))
+    group = _parts(cKDTree(points).query_pairs(tolerance, output_type="ndarray"), len(points))
+    _, first = np.unique(group, return_index=True)
+    points, triangles = points[first], group[number.ravel()[triangles]]
+    a, b, c = triangles.T
+    triangles = triangles[(a != b) & (b != c) & (c != a)]
+    _, first, count = np.unique(np.sort(triangles, axis=1), axis=0, return_index=True, return_counts=True)
+    triangles = triangles[np.sort(first[count % 2 == 1])]
+    used, triangles = np.unique(triangles, return_inverse=True)
+    return points[used], triangles.reshape(-1, 3)
+
+
+def _checked_closed(points: np.ndarray, triangles: np.ndarray, source: str) -> None:
+    edges, _, shared = _edges(triangles)
+    bad = edges[shared != 2]
+    if not len(bad):
+        return
+    holes = _parts(bad, len(points))[bad[:, 0]]
+    names, counts = np.unique(holes, return_counts=True)
+    worst = points[bad[holes == names[counts.argmax()]]].reshape(-1, 3)
+    low, high = worst.min(axis=0), worst.max(axis=0)
+
+    def at(point: np.ndarray) -> str:
+        return "(" + " ".join(f"{x:.6g}" for x in point) + ")"
+
+    open_edges, crowded = int((shared == 1).sum()), int((shared > 2).sum())
+    kinds = [f"{open_edges} open edges" if open_edges else "", f"{crowded} edges with more than two triangles" if crowded else ""]
+    raise SurfaceError(
+        f"{source}: is not watertight: {' and '.join(filter(None, kinds))}, in {len(names)} place(s); the largest is at "
+        f"{at((low + high) / 2)}, from {at(low)} to {at(high)} in the file's units; expected every edge to have two triangles")
+
+
+def _oriented(points: np.ndarray, triangles: np.ndarray) -> tuple[np.ndarray, np.ndarray, int]:
+    """The triangles of a closed surface wound outwards, each one's part, and how many had to be turned."""
+    from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
+
+    _, number, _ = _edges(triangles)
+    pairs = np.argsort(number, kind="stable").reshape(-1, 2) // 3
+    part = _parts(pairs, len(triangles))
+    consistent = vtkPolyDataNormals()
+    consistent.SetInputData(_polydata(points, triangles))
+    consistent.ConsistencyOn()
+    consistent.SplittingOff()
+    consistent.ComputePointNormalsOff()
+    consistent.ComputeCellNormalsOn()   # without normals the filter does nothing
+    consistent.Update()
+    turned = _triangles_of(consistent.GetOutput())[1]
+    for name in range(part.max() + 1):
+        own = part == name
+        if _volume(points, turned[own]) < 0:
+            turned[own] = turned[own, ::-1]
+    normals = [np.cross(points[t[:, 1]] - points[t[:, 0]], points[t[:, 2]] - points[t[:, 0]]) for t in (triangles, turned)]
+    return turned, part, int((np.einsum("ij,ij->i", *normals) < 0).sum())
+
+
+def _united(points: np.ndarray, triangles: np.ndarray, part: np.ndarray, source: str, notes: list[str]) -> tuple[np.ndarray, np.ndarray]:
+    """The one outer surface of all parts: what lies inside another part is dropped, parts that overlap are united."""
+    from vtkmodules.vtkCommonCore import vtkObject
+    from vtkmodules.vtkFiltersGeneral import vtkLoopBooleanPolyDataFilter
+
+    parts = [_merged(points, triangles[part == name]) for name in range(part.max() + 1)]
+    parts.sort(key=lambda p: -_volume(*p))
+    whole = parts.pop(0)
+    dropped = united = 0
+    while parts:
+        inside = [_distance(*whole, p[0]) < 0 for p in parts]
+        met = [k for k, (p, i) in enumerate(zip(parts, inside)) if i.any() or (_distance(*p, whole[0]) < 0).any()]
+        if not met:
+            raise SurfaceError(f"{source}: has {len(parts) + 1} closed parts that do not touch; expected one body")
+        other, within = parts.pop(met[0]), inside[met[0]]
+        if within.all():
+            dropped += 1
+            continue
+        union = vtkLoopBooleanPolyDataFilter()
+        union.SetOperationToUnion()
+        union.SetInputData(0, _polydata(*whole))
+        union.SetInputData(1, _polydata(*other))
+        loud = vtkObject.GetGlobalWarningDisplay()
+        vtkObject.GlobalWarningDisplayOff()
+        union.Update()
+        vtkObject.SetGlobalWarningDisplay(loud)
+        result = _merged(*_triangles_of(union.GetOutput())) if union.GetOutput().GetNumberOfPolys() else (whole[0], whole[1][:0])
+        volumes = [_volume(*p) for p in (whole, other, result)]
+        if not len(result[1]) or (_edges(result[1])[2] != 2).any() or not max(volumes[:2]) < volumes[2] < sum(volumes[:2]):
+            raise SurfaceError(f"{source}: has closed parts that overlap, and they could not be united; expected one closed surface: "
+                               "unite them in the program that made the file")
+        whole = result
+        united += 1
+    if dropped:
+        notes.append(f"{dropped} closed part(s) inside the body dropped: it is solid")
+    if united:
+        notes.append(f"{united + 1} closed parts that overlap united")
+    return whole
+
+
+def _moments(points: np.ndarray, triangles: np.ndarray) -> tuple[float, np.ndarray, np.ndarray]:
+    """Volume, centroid and second moments int (x - c)(x - c)^T dV of what the triangles enclose, exact for the polyhedron:
+    the sum of the tetrahedra between the triangles and one point."""
+    middle = points.mean(axis=0)    # keeps the digits of a body far from its file's origin
+    corners = points[triangles] - middle
+    six = np.einsum("ij,ij->i", corners[:, 0], np.cross(corners[:, 1], corners[:, 2]))
+    total = corners.sum(axis=1)
+    volume = six.sum() / 6
+    centroid = np.einsum("i,ij->j", six, total) / 24 / volume
+    second = (np.einsum("i,ij,ik->jk", six, total, total) + np.einsum("i,inj,ink->jk", six, corners, corners)) / 120
+    return float(volume), middle + centroid, second - volume * np.outer(centroid, centroid)
+
+
+def _word(direction: np.ndarray) -> str:
+    return "(" + " ".join(f"{x + 0.0:.4g}" for x in direction) + ")"
+
+
+def _unit(given: Sequence[float], entry: str, source: str) -> np.ndarray:
+    direction = np.asarray(given, dtype=float)
+    length = np.linalg.norm(direction)
+    if direction.shape != (3,) or not np.isfinite(length) or length == 0:
+        raise SurfaceError(f"{source}: entry '{entry}' is {given}; expected a direction in the file's axes, e.g. (1 0 0)")
+    return direction / length
+
+
+def _nearest_axis(direction: np.ndarray) -> np.ndarray:
+    """The file's axis along a direction, either way."""
+    axis = np.zeros(3)
+    largest = np.abs(direction).argmax()
+    axis[largest] = np.copysign(1, direction[largest])
+    return axis
+
+
+class Surface:
+    """The body inside a closed surface, in the body's frame [m]: origin at the nose (the foremost point's place on the axis
+    that runs through the centroid), x aft, y to the side, z dorsal. All of it is exact for the polyhedron but `nose_radius`
+    and the added mass.
+
+    `notes` says what was found or changed, and how to overrule it.
+    """
+
+    is_revolution = False
+
+    def __init__(self, file: Path, scale: float = 1.0, nose: Sequence[float] | None = None, dorsal: Sequence[float] | None = None):
+        self.file, source = Path(file), str(file)
+        self.notes: list[str] = []
+        if not (np.isfinite(scale) and scale > 0):
+            raise SurfaceError(f"{source}: entry 'scale' is {scale}; expected metres per unit of the file, above 0")
+
+        points, triangles = _merged(*_read(self.file))
+        if not len(triangles):
+            raise SurfaceError(f"{source}: all its triangles are points or lines; expected the surface of a body")
+        _checked_closed(points, triangles, source)
+        triangles, part, turned = _oriented(points, triangles)
+        if turned:
+            self.notes.append(f"{turned} of {len(triangles)} triangles turned: they were wound inwards")
+        if part.max() > 0:
+            points, triangles = _united(points, triangles, part, source, self.notes)
+        points = points * scale
+
+        size = np.ptp(points, axis=0).max()
+        if not _SHORTEST <= size <= _LONGEST:
+            raise SurfaceError(f"{source}: the body is {size:.4g} m long with a scale of {scale:g}; expected {_SHORTEST:g} to "
+                               f"{_LONGEST:g} m: give the entry 'scale', metres per unit of the file (0.001 for millimetres)")
+        self.volume, centroid, second = _moments(points, triangles)
+        if self.volume < 1e-9 * size**3:
+            raise SurfaceError(f"{source}: encloses no volume; expected the surface of a body")
+
+        forward = self._forward(points, triangles, centroid, second) if nose is None else _unit(nose, "nose", source)
+        up = self._dorsal(points, triangles, centroid, second, forward, size) if dorsal is None else _unit(dorsal, "dorsal", source)
+        up = up - forward * (up @ forward)
+        if np.linalg.norm(up) < 1e-3:
+            raise SurfaceError(f"{source}: entry 'dorsal' is {dorsal}; expected a direction across the nose's, {_word(forward)}")
+        up /= np.linalg.norm(up)
+
+        # Aft, y and dorsal are a left-handed system: what is wound outwards turns round.
+        axes = np.stack((-forward, np.cross(up, forward), up))
+        self._triangles = triangles[:, ::-1]
+        self._points = (points - centroid) @ axes.T
+        ahead = self._points[:, 0].min()
+        self._points[:, 0] -= ahead
+        self.centroid = np.array([-ahead, 0.0, 0.0])
+        self._second = axes @ second @ axes.T
+        self.length = float(self._points[:, 0].max())
+
+    def _forward(self, points: np.ndarray, triangles: np.ndarray, centroid: np.ndarray, second: np.ndarray) -> np.ndarray:
+        """The direction in which a body flies whose nose is not given: along its axis of least inertia, its flat end behind,
+        or else its fuller end in front."""
+        spread, axes = np.linalg.eigh(second)
+        if spread[1] > (1 - _EQUAL) * spread[2]:
+            forward = np.array([1.0, 0.0, 0.0])
+            self.notes.append("nose: taken as (1 0 0) of the file, no axis of the body stands out; the entry 'nose' overrules it")
+            return forward
+        axis = axes[:, 2]
+        if abs(axis @ _nearest_axis(axis)) > np.cos(np.radians(_NEAR)):
+            axis = np.abs(_nearest_axis(axis))
+
+        x = (points - centroid) @ axis
+        length = np.ptp(x)
+        # Section a little behind either end: what of the volume lies beyond it, over its length
+        stations = np.linspace(x.min(), x.max(), 51)
+        beyond = np.array([self._volume_before(x, points, triangles, axis, at) for at in stations])
+        largest = np.diff(beyond).max() / (length / 50)
+        cap = _CAP * length
+        low = self._volume_before(x, points, triangles, axis, x.min() + cap) / cap
+        high = self._volume_before(-x, points, triangles, -axis, -x.max() + cap) / cap
+        flat = [section > 0.5 * largest for section in (low, high)]
+        if flat[0] != flat[1]:
+            sense, why = (1 if flat[0] else -1), "its flat end is behind"
+        elif abs(x.max() + x.min()) > 0.01 * length:
+            sense, why = (1 if x.max() < -x.min() else -1), "its fuller end is in front"
+        else:
+            sense, why = np.sign(axis[np.abs(axis).argmax()]), "both ends are alike"
+        forward = sense * axis
+        self.notes.append(f"nose: found as {_word(forward)} in the file's axes: along the body, and {why}; the entry 'nose' overrules it")
+        return forward
+
+    @staticmethod
+    def _volume_before(x: np.ndarray, points: np.ndarray, triangles: np.ndarray, axis: np.ndarray, at: float) -> float:
+        """Volume where x < at, x being the points' coordinate along the axis: the flux of (x - at) axis through what of the
+        surface lies there, for there is none through the section itself."""
+        a, b, c = np.moveaxis(points[triangles], 1, 0)
+        projected = np.cross(b - a, c - a) @ axis / 2
+        f = np.sort(x[triangles] - at, axis=1).T
+        below, above = f[0] < 0, f[2] > 0
+        # Of a triangle with one corner below: the small triangle there; with two: all of it less that above
+        with np.errstate(divide="ignore", invalid="ignore"):
+            one = f[0] ** 3 / ((f[0] - f[1]) * (f[0] - f[2])) / 3
+            two = f.sum(axis=0) / 3 - f[2] ** 3 / ((f[2] - f[0]) * (f[2] - f[1])) / 3
+        mean = np.where(~below, 0, np.where(~above, f.sum(axis=0) / 3, np.where(f[1] >= 0, one, two)))
+        return float(projected @ mean)
+
+    def _dorsal(self, points: np.ndarray, triangles: np.ndarray, centroid: np.ndarray, second: np.ndarray,
+                forward: np.ndarray, size: float) -> np.ndarray:
+        """The direction across the nose's in which a body has its back: in its plane of symmetry, across its span, to where it
+        reaches farther (a fin)."""
+        def across(direction: np.ndarray) -> np.ndarray:
+            direction = direction - forward * (direction @ forward)
+            return direction / np.linalg.norm(direction)
+
+        axes = [across(axis) for axis in np.eye(3) if abs(axis @ forward) < 0.9]
+        first = across(axes[0])
+        frame = np.stack((first, np.cross(forward, first)))
+        principal = np.linalg.eigh(frame @ second @ frame.T)[1].T @ frame
+        candidates = [*axes, *principal]
+        relative = points - centroid
+        symmetric = [side for side in candidates if _asymmetry(relative, triangles, side) < _ASYMMETRY * size]
+        how = "by symmetry"
+        if not symmetric:
+            side = min(axes, key=lambda axis: abs(axis[2]))
+            how = "as the file's axis, the body has no plane of symmetry"
+        else:
+            spans = [np.ptp(relative @ side) for side in symmetric]
+            # Of equal spans the one that leaves the file's z dorsal
+            side = min((s for s, span in zip(symmetric, spans) if span > 0.999 * max(spans)), key=lambda s: abs(s[2]))
+        up = np.cross(forward, side)
+        z = relative @ up
+        if abs(z.max() + z.min()) > 0.01 * np.ptp(z):
+            up = up * np.sign(z.max() + z.min())
+        else:
+            up = up * np.sign(up[np.abs(up).argmax()])
+        self.notes.append(f"dorsal: found as {_word(up)} in the file's axes, {how}; the entry 'dorsal' overrules it")
+        return up
+
+    def surface(self) -> tuple[np.ndarray, np.ndarray]:
+        """Points (n, 3) [m] in the body's frame and triangles (m, 3) that are wound outwards, of the whole body."""
+        return self._points, self._triangles
+
+    @property
+    def centre(self) -> np.ndarray:
+        """Centre of volume in the body's frame [m]."""
+        return self.centroid
+
+    @property
+    def bounds(self) -> tuple[np.ndarray, np.ndarray]:
+        """Least and largest coordinates in the body's frame [m]."""
+        return self._points.min(axis=0), self._points.max(axis=0)
+
+    @property
+    def max_diameter(self) -> float:
+        """Twice the largest distance from the axis [m]."""
+        return 2 * float(np.hypot(*self._points[:, 1:].T).max())
+
+    @cached_property
+    def wetted_area(self) -> float:
+        """Surface of the whole body [m2]."""
+        a, b, c = np.moveaxis(self._points[self._triangles], 1, 0)
+        return float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2)
+
+    @property
+    def inertia(self) -> np.ndarray:
+        """Inertia tensor about the centroid at unit density, in the axes aft, y, dorsal [m5]."""
+        return np.trace(self._second) * np.eye(3) - self._second
+
+    @cached_property
+    def is_symmetric(self) -> bool:
+        """About y = 0, to 0.2 % of the length."""
+        return _asymmetry(self._points - self.centroid, self._triangles, np.array([0.0, 1.0, 0.0])) < _ASYMMETRY * self.length
+
+    @cached_property
+    def nose_radius(self) -> float:
+        """Radius of the nose [m], an estimate: of the sphere that holds as much within 1 % of the length, extrapolated to the
+        tip (0 for a point), at most half the body's diameter (a flat nose)."""
+        x, axis = self._points[:, 0], np.array([1.0, 0.0, 0.0])
+
+        def radius(depth: float) -> float:
+            volume = self._volume_before(x, self._points, self._triangles, axis, depth)
+            return volume / (np.pi * depth**2) + depth / 3
+
+        depth = 0.01 * self.length
+        return float(np.clip(2 * radius(depth) - radius(2 * depth), 0, self.max_diameter / 2))
+
+    def added_mass_coefficients(self) -> tuple[np.ndarray, np.ndarray]:
+        """Added mass along x, y, z and added inertia about them in unbounded fluid, over the displaced fluid's: those of the
+        ellipsoid with this body's radii of gyration, an estimate [-]."""
+        return ellipsoid_added_mass(*np.sqrt(5 * np.diag(self._second) / self.volume))
+
+
+def _asymmetry(points: np.ndarray, triangles: np.ndarray, side: np.ndarray) -> float:
+    """Farthest that the surface's mirror image in the plane through the origin with normal `side` lies from it [m]."""
+    probes = np.vstack((points, points[triangles].mean(axis=1)))
+    probes = probes[:: max(1, len(probes) // _PROBES)]
+    return float(np.abs(_distance(points, triangles, probes - 2 * np.outer(probes @ side, side))).max())
+
+
+def read(entry: dict[str, Any], folder: Path, source: str) -> Surface:
+    """The body of a scene's entry `shape { type surface; file ...; scale ...; nose (...); dorsal (...); }`; `folder` is what
+    `file` is relative to, `source` names the scene in messages."""
+    known = ("type", "file", "scale", "nose", "dorsal")
+    for key in entry:
+        if key not in known:
+            raise SurfaceError(f"{source}: unknown entry '{key}' of shape; expected: {' '.join(known)}")
+    if not isinstance(entry.get("file"), str):
+        raise SurfaceError(f"{source}: entry 'file' of shape is {entry.get('file', 'missing')}; expected an STL or OBJ file")
+    scale = entry.get("scale", 1.0)
+    if isinstance(scale, bool) or not isinstance(scale, (int, float)):
+        raise SurfaceError(f"{source}: entry 'scale' of shape is {scale}; expected metres per unit of the file")
+    for key in ("nose", "dorsal"):
+        value = entry.get(key, [1, 0, 0])
+        if not (isinstance(value, list) and len(value) == 3 and all(type(x) in (int, float) for x in value)):
+            raise SurfaceError(f"{source}: entry '{key}' of shape is {value}; expected a direction in the file's axes, e.g. (1 0 0)")
+    return Surface(folder / entry["file"], float(scale), entry.get("nose"), entry.get("dorsal"))
