@@ -17,10 +17,15 @@ from vtk.util.numpy_support import vtk_to_numpy
 
 from conftest import REPOSITORY
 from tutorials import checkRefused, copy, foam, setEntry
-from plunge.studies.particleRuns import CONTROL, PROPERTIES, series, setUp as case
+from plunge.studies.particleRuns import CONTROL, PROPERTIES, series, setUp
 from plunge.studies.particleRuns import particles as readParticles
 
 WATER, GRAVITY = 1000, 9.81
+
+
+def case(name: str, run: Path, entries: Dict[str, object] = {}, **control: object) -> Path:
+    """A scene with other entries, coarse: the still tank on 50 by 25 particles."""
+    return setUp(name, run, {**({"geometry/spacing": 0.02} if name == "stillTank" else {}), **entries}, **control)
 
 
 def table(run: Path, name: str, start: str = "0") -> np.ndarray:
@@ -85,7 +90,7 @@ def test_stillTank(tmp_path: Path) -> None:
 @pytest.fixture(scope="module")
 def dam(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A coarse dam break in double precision, to 0.2 s on one thread; its walls slip, as contact's do."""
-    run = case("damBreakParticles", tmp_path_factory.mktemp("dam") / "whole",
+    run = case("damBreak", tmp_path_factory.mktemp("dam") / "whole",
                {"geometry/spacing": 0.01, "precision": "double", "walls": "slip"}, endTime=0.2, writeInterval=0.1, purgeWrite=0)
     foam("plungeSPH", "-threads", 1, case=run)
     return run
@@ -93,7 +98,7 @@ def dam(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def test_threads(dam: Path) -> None:
     """Two threads give the state of one, bit for bit."""
-    twin = case("damBreakParticles", dam.parent / "threads",
+    twin = case("damBreak", dam.parent / "threads",
                 {"geometry/spacing": 0.01, "precision": "double", "walls": "slip"}, endTime=0.1, writeInterval=0.1)
     foam("plungeSPH", "-threads", 2, case=twin)
     np.testing.assert_array_equal(checkpoint(twin, "0.1")[0], checkpoint(dam, "0.1")[0])
@@ -153,7 +158,7 @@ def test_kill(tmp_path: Path) -> None:
 
 def test_outrun(tmp_path: Path) -> None:
     """A speed of sound that the flow outruns is allowed, warned of once, and marked."""
-    run = case("damBreakParticles", tmp_path / "run", {"geometry/spacing": 0.015, "speedOfSound/maxSpeed": 0.5},
+    run = case("damBreak", tmp_path / "run", {"geometry/spacing": 0.015, "speedOfSound/maxSpeed": 0.5},
                endTime=0.2, writeInterval=0.2)
     output = foam("plungeSPH", "-threads", 1, case=run)
     assert output.count("c0 >= 10 v_max does not hold") == 1
@@ -163,7 +168,7 @@ def test_outrun(tmp_path: Path) -> None:
 
 def test_notFinite(tmp_path: Path) -> None:
     """A number that is not finite: stops, and says where to go on from."""
-    run = case("damBreakParticles", tmp_path / "run", {"geometry/spacing": 0.015, "Courant": 20}, endTime=1, writeInterval=0.001)
+    run = case("damBreak", tmp_path / "run", {"geometry/spacing": 0.015, "Courant": 20}, endTime=1, writeInterval=0.001)
     with pytest.raises(AssertionError, match="last good state"):
         foam("plungeSPH", "-threads", 1, case=run)
 
@@ -181,7 +186,7 @@ SPRINGS = {"contact": "{ stiffness node; factor 0.1; }", "walls": "slip"}
 
 def bodyCase(directory: Path, entries: Dict[str, object] = {}, **control: object) -> Path:
     """A tank with a box that floats, and a surface and a sphere that fall, in three dimensions."""
-    run = case("damBreakParticles", directory, {
+    run = case("damBreak", directory, {
         "dimensions": 3, "geometry/spacing": 0.05, "outputs": "{ interval 0.01; }",
         "geometry/fluid": "( { type box; min (0 0 0); max (1 0.5 0.3); } )",
         "geometry/walls": "( { name tank; type box; min (0 0 0); max (1 0.5 1); open (top); }"
@@ -195,7 +200,7 @@ def bodyCase(directory: Path, entries: Dict[str, object] = {}, **control: object
                   " ball { mass 4; momentOfInertia (0.02 0.02 0.02); centreOfMass (0.45 0.25 0.6);"
                   " solver { type symplectic; } } }",
         **entries}, **{"endTime": 0.04, "writeInterval": 0.02, **control})
-    shutil.copyfile(run / "constant/g.3D", run / "constant/g")
+    setEntry(run, "constant/g", "value", "(0 0 -9.81)")
     corners = np.array([(0.6, 0.15, 0.7), (0.8, 0.15, 0.7), (0.7, 0.15, 0.5), (0.6, 0.35, 0.7), (0.8, 0.35, 0.7), (0.7, 0.35, 0.5)])
     triangles = [(0, 1, 2), (3, 5, 4), (0, 3, 4), (0, 4, 1), (1, 4, 5), (1, 5, 2), (2, 5, 3), (2, 3, 0)]
     (run / "wedge.stl").write_text("solid wedge\n" + "".join(
@@ -265,7 +270,7 @@ def formulation(run: Path) -> None:
 def test_paperFormulation(tmp_path: Path) -> None:
     """The formulation of IAC-20-E2.1.9 on Titan: its k0; the energy budget holds, also over a restart, and eq. 2 follows the
     equation of state."""
-    run = case("damBreakParticles", tmp_path / "run", {"geometry/spacing": 0.01}, endTime=0.4, writeInterval=0.2, purgeWrite=0)
+    run = case("damBreak", tmp_path / "run", {"geometry/spacing": 0.01}, endTime=0.4, writeInterval=0.2, purgeWrite=0)
     formulation(run)
     setEntry(run, "constant/g", "value", "(0 -1.35 0)")
     # 500 reach as far as the column is wide
@@ -322,7 +327,7 @@ def test_stillTankBy(entries: Dict[str, str], tmp_path: Path) -> None:
 def test_contact(dam: Path) -> None:
     """Springs at the walls in place of particles: the front of the dam break is that with particles to 3 %, nothing leaks in
     0.5 s, energy only falls."""
-    run = case("damBreakParticles", dam.parent / "contact",
+    run = case("damBreak", dam.parent / "contact",
                {"geometry/spacing": 0.01, "precision": "double", **SPRINGS},
                endTime=0.5, writeInterval=0.1, purgeWrite=0)
     output = foam("plungeSPH", "-threads", 1, case=run)

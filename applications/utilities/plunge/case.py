@@ -14,13 +14,15 @@ import numpy as np
 
 from plunge import decisions, foamDictionary
 from plunge import scene as scenes
+from plunge import tank as tank_scenes
 from plunge.checks import ParameterError, checked, count, number, word
 from plunge.decisions import Decision
 from plunge.meridianMesh import SECTOR
-from plunge.methods import meshes, particles, tiers
+from plunge.methods import meshes, particles, tanks, tiers
 from plunge.methods.meshes import vector
 from plunge.methods.tiers import TEMPLATES
 from plunge.scene import Scene
+from plunge.tank import Tank
 
 NOTE = "Written by plungeCase from constant/scene; SI units."
 GENERATED = "system/plungeGenerated"
@@ -51,7 +53,7 @@ _MOTIONS = {"fixed": "prescribed", "prescribed": "prescribed", "axial": "axial",
 class Case:
     """A scene by a method: what plungeGenerated holds."""
 
-    scene: Scene
+    scene: "Scene | Tank"
     options: dict[str, Any]
     decided: dict[str, Decision]
     sections: list[tuple[str, dict[str, Any]]]
@@ -73,15 +75,21 @@ class Case:
     def summary(self) -> list[str]:
         """What was decided and why, for the user."""
         scene, flat = self.scene, self.flat
+        if isinstance(scene, Tank):
+            return [scene.headline, self._how, *scene.notes, *flat["decisions"]]
         way = f"at {scene.speed:g} m/s and {scene.angle:g} deg" if scene.speed else "from rest"
         return [
             f"{scene.given['body.shape']['type']} of {scene.shape.length:.4g} m and {scene.shape.max_diameter:.4g} m across, "
             f"{scene.mass:.4g} kg{'/m' if scene.shape.dimensions == 2 else ''}, {scene.freedom}, {way}; fluids {scene.fluids_name}",
-            f"{flat['application']}, tier {self.options['tier']}, resolution {self.options['resolution']:g}, "
-            f"{scene.duration * 1e3:.4g} ms on {self.options['cores']} core(s)",
+            self._how,
             *scene.notes,
             *flat["decisions"],
         ]
+
+    @property
+    def _how(self) -> str:
+        return f"{self.flat['application']}, tier {self.options['tier']}, resolution {self.options['resolution']:g}, " \
+               f"{self.scene.duration * 1e3:.4g} ms on {self.options['cores']} core(s)"
 
 
 def parameters(path: Path, given: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any], dict[str, Any]]:
@@ -98,11 +106,13 @@ def parameters(path: Path, given: dict[str, Any]) -> tuple[dict[str, Any], dict[
 def derive(path: Path, given: dict[str, Any] = {}) -> Case:
     """A scene's file or case directory, and what the command line asks for (flat names), to all numbers of the dictionaries."""
     options, tier_entries, entries = parameters(path, given)
+    if options["soundSpeed"] is not None and options["method"] == "meshes":
+        raise ParameterError("-soundSpeed is of particles; expected -method particles with it")
+    if tank_scenes.is_tank(path, entries):
+        return _of_tank(tank_scenes.read(path, entries), options, tier_entries)
     scene = scenes.read(path, entries)
     tier = tiers.read(options["tier"], tier_entries)
     method = options["method"]
-    if options["soundSpeed"] is not None and method == "meshes":
-        raise ParameterError("-soundSpeed is of particles; expected -method particles with it")
     model = decisions.model(scene, method, options["model"])
     mesh = decisions.mesh(scene, method, model.choice, options["mesh"])
     decided = {"model": model, **({"mesh": mesh} if method == "meshes" else {})}
@@ -120,6 +130,17 @@ def derive(path: Path, given: dict[str, Any] = {}) -> Case:
         # plungeSPH's plane is x and y
         turn = np.array([[1.0, 0, 0], [0, 0, 1], [0, -1, 0]]) if model.choice == "plane" else np.eye(3)
     return Case(scene, options, decided, [*_common(scene, options, decided, share, turn), *of_method])
+
+
+def _of_tank(tank: Tank, options: dict[str, Any], tier_entries: dict[str, Any]) -> Case:
+    """A scene without a body."""
+    if options["mesh"] not in ("auto", "single"):
+        raise ParameterError(f"{tank.source}: -mesh {options['mesh']}, but there is no body; expected auto or single")
+    tier = tiers.read(options["tier"], tier_entries, tanks.TIERS, tanks.TIER_ENTRIES)
+    model = tank_scenes.model(tank, options["model"])
+    cell = tanks.spacing(tank, tier, options["method"], model.choice, options["resolution"])
+    decided = {"model": model, **tank_scenes.decide(tank, options["method"], options, cell)}
+    return Case(tank, options, decided, tanks.sections(tank, tier, options, decided))
 
 
 def _common(scene: Scene, options: dict[str, Any], decided: dict[str, Decision], share: float,
@@ -179,14 +200,17 @@ def _copy_case(case: Case, run: Path) -> None:
     """The method's dictionaries; over them, those of the scene's own case."""
     method, flat = case.options["method"], case.flat
     without: list[str] = []
-    if method == "meshes":
-        without += [] if flat["boundaryLayer"] == "wallFunction" else _TURBULENCE
-        without += [] if flat["mesh"] == "overset" else _OVERSET
-        without += ["snapped"]
-    for source in (TEMPLATES / "common", TEMPLATES / method):
-        _copy(source, run, tuple(without))
-    if flat.get("bodyMesh") == "snapped":
-        _copy(TEMPLATES / method / "snapped", run)
+    if isinstance(case.scene, Tank):
+        tanks.copy(case.scene, flat, run, NOTE)
+    else:
+        if method == "meshes":
+            without += [] if flat["boundaryLayer"] == "wallFunction" else _TURBULENCE
+            without += [] if flat["mesh"] == "overset" else _OVERSET
+            without += ["snapped"]
+        for source in (TEMPLATES / "common", TEMPLATES / method):
+            _copy(source, run, tuple(without))
+        if flat.get("bodyMesh") == "snapped":
+            _copy(TEMPLATES / method / "snapped", run)
     own = case.scene.folder
     if case.scene.file.parent.name == "constant":
         for part in ("0.orig", "constant", "system", "background"):
@@ -197,7 +221,7 @@ def _write_scene(case: Case, run: Path) -> None:
     """The effective scene; the shape's file goes with it."""
     scene = case.scene
     entries: dict[str, Any] = scenes.read_entries(scene.file, parameters(scene.file, _scene_overrides(case))[2])
-    shape = entries["body"]["shape"]
+    shape = entries["body"]["shape"] if "body" in entries else {}
     if "file" in shape:
         source = scene.folder / shape["file"]
         target = run / _SHAPE_FILES / source.name

@@ -131,7 +131,7 @@ def surface_tension(scene: Scene, method: str, asked: str) -> Decision:
         if asked == "on":
             raise ParameterError("-surfaceTension on, but the liquid has none; expected an entry surfaceTension of the fluids")
         return Decision("off", "the liquid has none")
-    weber = scene.fluids["liquidDensity"] * scene.reference_speed**2 * scene.shape.length / sigma
+    weber = scene.weber
     if asked != "auto":
         return Decision(asked, f"as asked; We = {weber:.3g}")
     return Decision("off" if weber > _HIGHEST_WEBER else "on", f"We = {weber:.3g}")

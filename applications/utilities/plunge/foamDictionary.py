@@ -55,9 +55,9 @@ def parse(text: str, source: str) -> dict[str, Any]:
             position += 1
             if token == ")":
                 return values
-            if token in "{};":
+            if token in "};":
                 fail(here, f"'{token}' inside a list")
-            values.append(parse_list(here) if token == "(" else _value(token))
+            values.append(parse_list(here) if token == "(" else parse_entries(here) if token == "{" else _value(token))
         fail(line, "list without its closing ')'")
         return values
 
@@ -104,7 +104,9 @@ def parse(text: str, source: str) -> dict[str, Any]:
 
 
 def format_value(value: Any) -> str:
-    """Write a number, a word, a text or a list the way OpenFOAM reads it back without loss."""
+    """Write a number, a word, a text, a list or a dictionary the way OpenFOAM reads it back without loss."""
+    if isinstance(value, dict):
+        return "{ " + "".join(f"{key} {format_value(v)}{'' if isinstance(v, dict) else ';'} " for key, v in value.items()) + "}"
     if isinstance(value, (list, tuple)):
         return "(" + " ".join(format_value(v) for v in value) + ")"
     if isinstance(value, float):
@@ -113,7 +115,8 @@ def format_value(value: Any) -> str:
     return f'"{text}"' if re.search(r"[\s{}();]", text) else text
 
 
-def _header(path: Path, note: str) -> list[str]:
+def header(path: Path, note: str) -> list[str]:
+    """Lines that a dictionary begins with."""
     return [
         "FoamFile",
         "{",
@@ -136,10 +139,10 @@ def _write_lines(path: Path, lines: list[str]) -> None:
 
 def write(path: Path, note: str, sections: list[tuple[str, dict[str, Any]]]) -> None:
     """Write sections of entries; each section is introduced by a comment."""
-    lines = _header(path, note)
+    lines = header(path, note)
     for title, entries in sections:
         lines += ["", f"// {title}"]
-        lines += [f"{key:<23} {format_value(value)};" for key, value in entries.items()]
+        lines += [f"{key:<23} {format_value(value)}{'' if isinstance(value, dict) else ';'}" for key, value in entries.items()]
     _write_lines(path, lines)
 
 
@@ -155,4 +158,4 @@ def write_nested(path: Path, note: str, entries: dict[str, Any]) -> None:
         return lines
 
     path.parent.mkdir(parents=True, exist_ok=True)
-    _write_lines(path, [*_header(path, note), "", *text(entries, "")])
+    _write_lines(path, [*header(path, note), "", *text(entries, "")])

@@ -32,7 +32,7 @@ _ENTRY: dict[str, Check] = {
     "drop": positive,
     "angle": number("degrees to the surface, from -90 to 90; below 0 it rises", lambda v: -90 <= v <= 90),
     "gap": positive,
-    "depth": positive,
+    "depth": number("metres of the body's middle below the surface; below 0 it is above, and the body reaches through the surface"),
     "attitude": number("degrees of the body's axis below the horizontal, from -180 to 180", lambda v: -180 <= v <= 180),
     "sideslip": number("degrees, from -90 to 90", lambda v: -90 < v < 90),
     "spin": triple("three numbers: (roll pitch yaw) [rad/s]"),
@@ -108,6 +108,10 @@ class Scene:
     def reynolds(self) -> float:
         """Of the liquid, the body's length and its speed."""
         return self.fluids["liquidDensity"] * self.reference_speed * self.shape.length / self.fluids["liquidViscosity"]
+
+    @property
+    def weber(self) -> float:
+        return self.fluids["liquidDensity"] * self.reference_speed**2 * self.shape.length / self.fluids["surfaceTension"]
 
     @cached_property
     def forward(self) -> np.ndarray:
@@ -342,6 +346,9 @@ def _check_consistency(scene: Scene) -> None:
         raise ParameterError(f"{source}: the body is at rest without gravity; expected duration")
     if scene.freedom == "axial" and scene.spin[1:].any():
         raise ParameterError(f"{source}: entry 'entry.spin' turns the body, which freedom axial does not allow; expected planar or free")
+    if scene.immersed and scene.lowest >= 0:
+        raise ParameterError(f"{source}: entry 'entry.depth' is {given['entry.depth']:g}, which leaves the body above the surface; expected "
+                             "more, or gap for a body that starts in the air")
     if not scene.immersed:
         if scene.speed > 0 and scene.heading[2] >= 0:
             raise ParameterError(f"{source}: entry 'entry.angle' is {scene.angle:g}, so that the body does not come down; expected an "

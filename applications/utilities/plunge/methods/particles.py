@@ -23,6 +23,8 @@ _LEAST_REACH = 3.5
 _SOUND_OVER_SPEED = 10
 # Its steps, for the estimate: plungeSPH's Courant number, over h/(c0 + speed), and h over the spacing
 _COURANT, _SMOOTHING_LENGTH = 0.5, 1.5
+# Liquid starts with the pressure of rest where gravity counts: speed^2 over g and the body's length
+_HIGHEST_FROUDE = 10
 # Rows of the tables
 _TABLE_ROWS = 450
 
@@ -89,6 +91,7 @@ def sections(particles: Particles) -> list[tuple[str, dict[str, Any]]]:
         ("Particles", {
             "particleSpacing": spacing,
             **{name: vector(np.multiply(corner, spacing)) for name, corner in box.items()},
+            "hydrostatic": "yes" if scene.immersed or scene.speed**2 < _HIGHEST_FROUDE * scene.fluids["gravity"] * scene.shape.length else "no",
             "tankOpen": {"half": ["front", "top"], "quarter": ["left", "front", "top"]}.get(model, ["top"]),
             "absorbingFaces": absorbing,
             "absorbingThickness": _ABSORBING * scale,

@@ -32,9 +32,9 @@ ENTRIES: dict[str, Check] = {
 }
 
 
-def read(name: str, overrides: dict[str, Any]) -> dict[str, Any]:
+def read(name: str, overrides: dict[str, Any], file: Path = TIERS, entries: dict[str, Check] = ENTRIES) -> dict[str, Any]:
     """A tier's entries, with those of the command line in place of the file's."""
-    tiers = foamDictionary.read(TIERS)
+    tiers = foamDictionary.read(file)
     if not isinstance(tiers.get(name), dict):
-        raise ParameterError(f"-tier {name}: expected one of {TIERS}'s: {' '.join(tiers)}")
-    return checked({**tiers[name], **overrides}, f"{TIERS}, {name}" + (" (or the command line)" if overrides else ""), ENTRIES)
+        raise ParameterError(f"-tier {name}: expected one of {file}'s: {' '.join(tiers)}")
+    return checked({**tiers[name], **overrides}, f"{file}, {name}" + (" (or the command line)" if overrides else ""), entries)

@@ -2,7 +2,6 @@
 """Runs of plungeSPH for validations and tests: a case of the repository with other entries, and its tables."""
 import os
 import re
-import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -11,6 +10,7 @@ from typing import Dict, List, Mapping, Sequence, Tuple
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
+from plunge.foamDictionary import read
 from plunge.studies import REPOSITORY
 from plunge.surfaces import read_series, read_surface
 
@@ -41,10 +41,13 @@ def converge(run: Path) -> None:
 
 
 def setUp(case: str, run: Path, entries: Mapping[str, object] = {}, **control: object) -> Path:
-    """A copy of a case of cases/, with other entries of particleProperties and controlDict."""
-    run.mkdir(parents=True)
-    for folder in ("constant", "system"):
-        shutil.copytree(REPOSITORY / "cases" / case / folder, run / folder)
+    """A case of cases/ by particles, with other entries of particleProperties and controlDict."""
+    made = subprocess.run(["plungeCase", str(REPOSITORY / "cases" / case), "-method", "particles", "-run", str(run)],
+                          stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    if made.returncode:
+        raise RuntimeError(f"{case}: {made.stderr}")
+    if "body" in read(run / "constant/scene"):
+        call(run, "plungeBodySurface")
     for file, changes in ((PROPERTIES, entries), (CONTROL, control)):
         for entry, value in changes.items():
             setEntry(run, file, entry, value)
