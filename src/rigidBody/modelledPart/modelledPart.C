@@ -2,6 +2,7 @@
 
 #include "modelledPart.H"
 
+#include "mathematicalConstants.H"
 #include "polyBoundaryMesh.H"
 #include "wedgePolyPatch.H"
 
@@ -33,7 +34,7 @@ scalar sectors(const polyBoundaryMesh& patches)
         if (isA<wedgePolyPatch>(patch))
         {
             const scalar cosHalf = refCast<const wedgePolyPatch>(patch).cosAngle();
-            return constant::mathematical::twoPi/sin(2*acos(cosHalf));
+            return constant::mathematical::twoPi/std::sin(2*std::acos(cosHalf));
         }
     }
     FatalErrorInFunction
