@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How sure the headline numbers of a dive are: the table that validation/diveUncertainty measures."""
+"""How sure the headline numbers of a dive are: the table that the study diveUncertainty measures."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from pathlib import Path
 from plunge.results import CaseError, Quantities, parameters
 
 TABLE = "constant/uncertainty.csv"  # plungeCase copies it from the case into its runs
-STUDY = "validation/diveUncertainty/Allrun"
+STUDY = "validation/run diveUncertainty"
 HEADLINES = ("impact deceleration", "peak deceleration", "velocity lost at full immersion", "full immersion time",
              "pitch change at full immersion")
 CAUSES = {"mesh": "mesh_uncertainty", "time step": "time_uncertainty", "boundary layer": "boundary_layer_uncertainty"}
@@ -90,7 +90,7 @@ def short(entry: str) -> str:
 def read_uncertainties(case: Path) -> tuple[dict[str, Uncertainty], str]:
     """Those that were measured for this dive, by the number's name, and a sentence on what they hold for."""
     here, rows = conditions(case), read_rows(case / TABLE)
-    measure = f"; {STUDY} -fluids {here['fluids']} measures it for the default dive, tier fast" if here["fluids"] else ""
+    measure = f"; {STUDY} -tier {here['fluids']} measures it for the default dive, tier fast" if here["fluids"] else ""
     if not rows:
         return {}, f"Uncertainty: not measured{measure}."
 
@@ -118,7 +118,7 @@ def read_uncertainties(case: Path) -> tuple[dict[str, Uncertainty], str]:
             raise CaseError(f"{case / TABLE}: quantity {row['quantity']}; expected one of {', '.join(HEADLINES)}")
         found[row["quantity"]] = measured
         version = f"{row['version']} of {row['date']}"
-    return found, f"+-: root of the sum of the squares of its parts; validation/diveUncertainty, version {version}."
+    return found, f"+-: root of the sum of the squares of its parts; the study diveUncertainty, version {version}."
 
 
 def with_uncertainties(numbers: Quantities, uncertainties: dict[str, Uncertainty]) -> Quantities:
