@@ -119,6 +119,17 @@ def test_a_changed_checkout_does_not_write_results(toy: Toy, monkeypatch: pytest
     assert "made by a changed checkout" in capsys.readouterr().out
 
 
+def test_runs_of_other_sources_are_made_again_where_asked(toy: Toy, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(driver, "state", lambda version, paths: "stale" if version == "abc123" else "")
+    driver.run([toy.study], "quick", 2)
+    monkeypatch.setattr(driver, "software_version", lambda: "def456")
+    driver.run([toy.study], "quick", 2)
+    assert len(toy.made) == 3
+    for _ in range(2):
+        driver.run([toy.study], "quick", 2, again=True)
+    assert len(toy.made) == 6
+
+
 def test_rows_of_runs_that_are_declared_no_more_go(toy: Toy) -> None:
     row = Row("toy", "square", "meshes", "gone", "0.1 m", None, None, "value", 1.0, "1")
     resultTable.write(toy.study.folder / "result.csv", [row])

@@ -80,10 +80,15 @@ def execute(study: Study, run: Run, folder: Path, version: str, cores: Cores) ->
     print(f"{study.name}: {run.name} finished in {wall:.0f} s", flush=True)
 
 
-def solve(studies: Sequence[Study], tier: str, folders: dict[str, Path], cores: int) -> list[str]:
-    """Makes what is missing, in parallel. What has failed."""
+def solve(studies: Sequence[Study], tier: str, folders: dict[str, Path], cores: int, again: bool) -> list[str]:
+    """Makes what is missing, in parallel, and again what was made from other sources than this checkout's. What has failed."""
     shared, version, failures = Cores(cores), software_version(), []
-    missing = [(study, run) for study in studies for run in study.of_tier(tier) if not record_of(folders[study.name], run)]
+
+    def is_missing(study: Study, run: Run) -> bool:
+        record = record_of(folders[study.name], run)
+        return not record or again and bool(state(record["version"], tuple(study.paths())))
+
+    missing = [(study, run) for study in studies for run in study.of_tier(tier) if is_missing(study, run)]
     print(f"{sum(len(study.of_tier(tier)) for study in studies)} runs of {len(studies)} studies, {len(missing)} to be made", flush=True)
 
     ended = {(study.name, run.key): threading.Event() for study, run in missing}
@@ -206,7 +211,7 @@ def keep(study: Study, done: Sequence[Done], rows: Sequence[Row], folder: Path) 
         write(study.folder / "result.csv", clean, [run.key for run in study.runs if run.tiers != ("quick",)])
     else:
         write(folder / "result.csv", rows)
-        print(f"{study.name}: made by a changed checkout, hence only in {folder}")
+        print(f"{study.name}: made by a changed checkout, hence only in {folder}; a clean one makes it with -again")
     figures = FIGURES if len(clean) == len(rows) else folder
     errorAgainstCost(study.title, rows, figures / f"{study.name}-cost.png")
     if study.figure:
@@ -215,12 +220,13 @@ def keep(study: Study, done: Sequence[Done], rows: Sequence[Row], folder: Path) 
         study.after(done, rows, len(clean) == len(rows))
 
 
-def run(studies: Sequence[Study], tier: str, cores: int, root: Path | None = None, make: bool = True) -> tuple[list[str], dict[str, list[Row]]]:
+def run(studies: Sequence[Study], tier: str, cores: int, root: Path | None = None, make: bool = True,
+        again: bool = False) -> tuple[list[str], dict[str, list[Row]]]:
     """Makes the runs in root/<study>, or else in the studies' own folders, and judges them. What went wrong, and the rows."""
     folders = {study.name: (root / study.name if root else study.folder / "run") for study in studies}
     for folder in folders.values():
         folder.mkdir(parents=True, exist_ok=True)
-    failures = solve(studies, tier, folders, cores) if make else []
+    failures = solve(studies, tier, folders, cores, again) if make else []
     results = {}
     for study in studies:
         done = finished(study, tier, folders[study.name])
@@ -252,6 +258,7 @@ def main() -> int:
     parser.add_argument("-cores", type=int, default=len(os.sched_getaffinity(0)), help="that the runs share (default: %(default)s)")
     parser.add_argument("-list", action="store_true", help="say what there is, and run nothing")
     parser.add_argument("-judge-only", action="store_true", help="make no run, judge those that are finished")
+    parser.add_argument("-again", action="store_true", help="make anew, too, what other sources or a changed checkout have made")
     parser.add_argument("-accept", action="store_true", help="of the quick tier: write the numbers found into expected.csv; say why in the commit")
     asked = parser.parse_args()
     if asked.list:
@@ -261,7 +268,7 @@ def main() -> int:
     if not studies:
         parser.error(f"-tier {asked.tier}: no run of these studies belongs to it")
     try:
-        failures, results = run(studies, asked.tier, asked.cores, make=not asked.judge_only)
+        failures, results = run(studies, asked.tier, asked.cores, make=not asked.judge_only, again=asked.again)
     except CaseError as error:
         sys.exit(f"validation/run: {error}")
     for study in studies if asked.accept and asked.tier == "quick" else ():
