@@ -4,14 +4,16 @@
 from __future__ import annotations
 
 import importlib.util
+import re
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from math import isfinite
 from pathlib import Path
 from typing import Any, Callable, Iterator, Mapping, Sequence, Union
 
-from plunge.results import CaseError, cell_count, cpu_seconds, particle_counts, solver_log, solver_name
+from plunge.results import CaseError, cell_count, cpu_seconds, particle_counts, solver_name
 from plunge.studies import REPOSITORY
+from plunge.studies.foamFields import times
 
 STUDIES = REPOSITORY / "validation/studies"
 
@@ -75,18 +77,21 @@ class Done:
 
     @cached_property
     def steps(self) -> int | None:
+        """As the solver has counted them, over restarts."""
         try:
-            return solver_log(self.path).count("\nTime = ") or None
-        except CaseError:
+            last = self.path / (times(self.path) or ["0"])[-1] / "uniform/time"
+        except OSError:
             return None
+        found = re.search(r"^index\s+(\d+);", last.read_text(), re.M) if last.exists() else None
+        return int(found[1]) if found else None
 
     @cached_property
     def cpu(self) -> float | None:
-        """Of the solver, or of what has no solver [s]."""
+        """Of the solver [s]."""
         try:
             return cpu_seconds(self.path)
         except CaseError:
-            return self.record.get("cpu_s")
+            return None
 
 
 Number = Union[None, float, Callable[[Done], Union[None, float]]]
