@@ -46,5 +46,5 @@ study = Study(
                          reference=float(np.mean([*map(of, MEASURED.values())])), uncertainty=float(np.ptp([*map(of, MEASURED.values())])))
                 for name, of in (("speed of the front over sqrt(2 g a)", speed), ("arrival of the front at 3 a, times sqrt(2 g/a)", arrival))],
     headlines=["speed of the front over sqrt(2 g a)"],
-    figure=lambda done, file: draw(file, [({"xlabel": "t sqrt(2 g/a)", "ylabel": "front/a"}, MEASURED, {
+    figure=lambda done, file: draw(file, [({"xlabel": "t sqrt(2 g/a)", "ylabel": "front/a", "xlim": (0, 4), "ylim": (0, 5)}, MEASURED, {
         each.run.resolution: computed(each.path, each.run.size) for each in done})]))
