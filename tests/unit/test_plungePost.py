@@ -318,7 +318,7 @@ def test_the_uncertainty_of_the_same_dive_is_found(tmp_path):
     assert set(found) == set(MEASURED)
     assert found["peak deceleration"].total == 1.3
     assert found["peak deceleration"].parts == {"mesh": 0.3, "time step": 0.4, "boundary layer": 1.2}
-    assert "validation/diveUncertainty" in sentence and "version abc123 of 2026-11-30" in sentence
+    assert "the study diveUncertainty" in sentence and "version abc123 of 2026-11-30" in sentence
 
 
 def test_no_uncertainty_is_taken_from_another_dive(tmp_path):
@@ -326,7 +326,7 @@ def test_no_uncertainty_is_taken_from_another_dive(tmp_path):
     only = ("Uncertainty: measured for the default dive, fluids water or titan, tier fast, model half, mesh overset, resolution 1, "
             "boundaryLayer frictionLine only, not for ")
     for change, ends in (({"tier": "fine"}, "tier fine."), ({"speed": "10", "bodyMass": "3"}, "bodyMass 3, speed 10."),
-                         ({"fluids": "kraken"}, "fluids kraken; validation/diveUncertainty/Allrun -fluids kraken measures it."),
+                         ({"fluids": "kraken"}, "fluids kraken; validation/run diveUncertainty -tier kraken measures it."),
                          ({"freedom": "axial"}, "freedom axial."),
                          ({"application": "plungeSPH", "mesh": "none"}, "application plungeSPH."),
                          ({"shape": "spheroid"}, "shape spheroid."),
@@ -959,7 +959,7 @@ def test_the_report_ends_with_the_answer_how_sure_it_is_and_what_was_left_out(tm
         "  full immersion                   36.0000 ms +- 0.0050 (mesh 0.0030, time step 0.0040, boundary layer 0)",
         "  velocity lost at full immersion  1.750 m/s +- 0.051 (mesh 0.030, time step 0.010, boundary layer 0.040) of 25 m/s",
         "  pitch change at full immersion   3.6 deg",
-        "  +-: root of the sum of the squares of its parts; validation/diveUncertainty, version abc123 of",
+        "  +-: root of the sum of the squares of its parts; the study diveUncertainty, version abc123 of",
         "    2026-11-30.",
         "Not modelled, and what that costs:",
         "  the wake's cavity is filled with gas that cannot be compressed, which costs the closure of the",

@@ -15,7 +15,7 @@ namespace
 using namespace Foam;
 
 //- First layers at the wall in a laminar layer's thickness that give its
-//  friction within 5 % (validation/boundaryLayer)
+//  friction within 5 % (validation/studies/flatPlate)
 const scalar layersInLaminarLayer = 10;
 
 //- Of the first cells' centres that wall functions are made for [-]
