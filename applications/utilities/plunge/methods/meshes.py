@@ -217,6 +217,8 @@ def sections(meshes: Meshes, decided: dict[str, Decision]) -> list[tuple[str, di
             "estimatedSteps": round(scene.duration / time_step, -1),
             "coresSplit": cores_split(meshes.cores, meshes.model in ("axisymmetric", "plane")),
             "pressureCorrections": _CORRECTIONS[meshes.model],
+            # Without one the added mass on a snapped mesh is 3 % too large
+            "nonOrthogonalCorrections": int(meshes.curve is None),
             "diveDuration": scene.duration, "frameInterval": scene.duration / scene.frames,
             "initialDeltaT": min(0.05 * body.finest / speed, limit, 0.1 * scene.duration),
             "deltaTLimit": limit, "courantLimit": meshes.courant * tier["maxCo"],
