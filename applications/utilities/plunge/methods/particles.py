@@ -19,7 +19,7 @@ from plunge.scene import Scene
 _REACH, _ABSORBING, _FREEBOARD = 0.35, 0.1, 0.1
 # Least half width and depth over the body's largest radius
 _LEAST_REACH = 3.5
-# c0 over the highest speed that the body could fall at, unless given: eq. 5 of IAC-20-E2.1.9
+# c0 over the highest speed that the body could fall at, or that of long waves, unless given: eq. 5 of IAC-20-E2.1.9
 _SOUND_OVER_SPEED = 10
 # Its steps, for the estimate: plungeSPH's Courant number, over h/(c0 + speed), and h over the spacing
 _COURANT, _SMOOTHING_LENGTH = 0.5, 1.5
@@ -65,7 +65,8 @@ def sections(particles: Particles) -> list[tuple[str, dict[str, Any]]]:
     high = [spacings(reach + max(end[0], start[0] if scene.immersed else end[0], 0.0)), spacings(reach), 0]
     count = int(np.prod([h - l for axis, (l, h) in enumerate(zip(low, high)) if not (plane and axis == 1)]))
     fall = max(0.0, scene.nose[2] - end[2])
-    fastest = sqrt(scene.speed**2 + 2 * scene.fluids["gravity"] * fall)
+    gravity = scene.fluids["gravity"]
+    fastest = max(sqrt(scene.speed**2 + 2 * gravity * fall), sqrt(gravity * spacing * -low[2]))
     c0 = float(particles.sound_speed or _SOUND_OVER_SPEED * fastest)
     top = spacings(_FREEBOARD * scale)
 
