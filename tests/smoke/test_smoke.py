@@ -30,7 +30,7 @@ FALLING = [
 
 # Those with a body that is released in the liquid: how fast it falls over gravity, at first, and how near that comes so coarsely.
 RELEASED = [
-    ("addedMass", "meshes", ("-resolution", 0.5), 0.5, 9/11, 0.02), ("addedMass", "particles", ("-resolution", 0.25), 0.1, 9/11, 0.1),
+    ("addedMass", "meshes", ("-resolution", 0.5), 0.5, 9/11, 0.02), ("addedMass", "particles", ("-resolution", 0.25), 0.02, 9/11, 0.1),
     ("sphereDecay", "meshes", ("-resolution", 0.5), 0.3, None, None), ("sphereDecay", "particles", ("-resolution", 0.3), 0.3, None, None),
 ]
 
@@ -103,7 +103,8 @@ def test_releasedBodies(case: str, method: str, options: Tuple[object, ...], dur
     runScene(case, run, "-method", method, "-set", f"duration={duration}", "-set", "frames=2", *options)
     fall = table(run, "trajectory")
     assert fall["speed_m_s"][0] == 0
-    acceleration = -fall["vz_m_s"][-1]/fall["time_s"][-1]
+    up = "y" if (case, method) == ("addedMass", "particles") else "z"   # plungeSPH's plane is x and y
+    acceleration = -fall[f"v{up}_m_s"][-1]/fall["time_s"][-1]
     if share is not None:
         assert acceleration == pytest.approx(share, rel=tolerance)
     else:

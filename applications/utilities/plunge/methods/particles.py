@@ -67,6 +67,9 @@ def sections(particles: Particles) -> list[tuple[str, dict[str, Any]]]:
     count = int(np.prod([h - l for axis, (l, h) in enumerate(zip(low, high)) if not (plane and axis == 1)]))
     fall = max(0.0, scene.nose[2] - end[2])
     fastest = sqrt(scene.speed**2 + 2 * scene.fluids["gravity"] * fall)
+    hydrostatic = scene.immersed or scene.speed**2 < _HIGHEST_FROUDE * scene.fluids["gravity"] * scene.shape.length
+    if hydrostatic:  # eq. 6 of IAC-20-E2.1.9: the weight of the liquid compresses it by half a percent
+        fastest = max(fastest, sqrt(scene.fluids["gravity"] * -low[2] * spacing))
     c0 = float(particles.sound_speed or _SOUND_OVER_SPEED * fastest)
     top = spacings(_FREEBOARD * scale)
 
@@ -94,7 +97,7 @@ def sections(particles: Particles) -> list[tuple[str, dict[str, Any]]]:
         ("Particles", {
             "particleSpacing": spacing,
             **{name: vector(np.multiply(corner, spacing)) for name, corner in box.items()},
-            "hydrostatic": "yes" if scene.immersed or scene.speed**2 < _HIGHEST_FROUDE * scene.fluids["gravity"] * scene.shape.length else "no",
+            "hydrostatic": "yes" if hydrostatic else "no",
             "tankOpen": {"half": ["front", "top"], "quarter": ["left", "front", "top"]}.get(model, ["top"]),
             "absorbingFaces": absorbing,
             "absorbingThickness": _ABSORBING * scale,
