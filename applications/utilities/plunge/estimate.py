@@ -95,7 +95,7 @@ def _probe(scene: Path, entries: dict[str, Any], resolution: float, run: Path) -
     for command in fields:
         _run(command, run, run / f"log.{command[0]}")
     solver = coarse.flat["application"]
-    _, memory = _run([solver], run, run / f"log.{solver}", PROBE_SECONDS)
+    _, memory = _run([solver, *(["-threads", "1"] if method == "particles" else [])], run, run / f"log.{solver}", PROBE_SECONDS)
     log = (run / f"log.{solver}").read_text(errors="replace")
     count = cell_count(run) if method == "meshes" else sum(particle_counts(run))
     times = _times(log)
