@@ -1,29 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""OpenFOAM's tutorials as test cases, with coarse meshes, and the comparison of validation/stockTutorials."""
-import importlib.util
+"""OpenFOAM's tutorials as test cases, with coarse meshes, and their comparison (plunge.studies.tutorials)."""
 import os
 import re
 import shutil
 import subprocess
 from pathlib import Path
-from types import ModuleType
 from typing import Iterable, List
 
-from conftest import REPOSITORY
+from plunge.studies import tutorials as compare  # noqa: F401: for tests
 from plunge.studies.particleRuns import converge, setEntry  # noqa: F401: for tests
-
-STOCK_TUTORIALS = REPOSITORY / "validation/stockTutorials"
-
-
-def comparison(validation: Path) -> ModuleType:
-    """The compare.py of a folder of validation/."""
-    spec = importlib.util.spec_from_file_location(f"compare_{validation.name}", validation / "compare.py")
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
-
-compare = comparison(STOCK_TUTORIALS)
 
 
 def foam(*command: object, case: Path, log: str = "log.foam") -> str:
@@ -61,9 +46,8 @@ def checkRefused(solver: str, case: Path, named: Iterable[str]) -> None:
 
 
 def setUp(tutorial: str, directory: Path, *options: object) -> Path:
-    """The case directory of a tutorial, meshed and with its initial fields: validation/stockTutorials/setUp."""
-    foam(STOCK_TUTORIALS / "setUp", *options, tutorial, directory, case=directory.parent, log=f"log.{directory.name}")
-    return directory / "background" if tutorial == "floatingBody" else directory
+    """The case directory of a tutorial, meshed and with its initial fields; options: -<what compare.setUp takes> value."""
+    return compare.setUp(tutorial, directory, **{str(name)[1:]: value for name, value in zip(options[::2], options[1::2])})
 
 
 def copy(case: Path, name: str) -> Path:

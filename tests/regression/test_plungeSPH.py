@@ -19,6 +19,7 @@ from conftest import REPOSITORY
 from tutorials import checkRefused, copy, foam, setEntry
 from plunge.studies.particleRuns import CONTROL, PROPERTIES, series, setUp
 from plunge.studies.particleRuns import particles as readParticles
+from plunge.studies.references import reference as published
 
 WATER, GRAVITY = 1000, 9.81
 
@@ -122,14 +123,13 @@ def test_restart(dam: Path) -> None:
 
 def test_front(dam: Path) -> None:
     """The front is ahead of Martin and Moyce's, whose gate took time, and behind Ritter's, which has no friction; the column
-    falls; energy only falls. How far off the front is, validation/damBreakFront judges."""
+    falls; energy only falls. How far off the front is, validation/studies/damBreakFront judges."""
     energy = table(dam, "energy")
     total = energy["kinetic_J"] + energy["potential_J"] + energy["internal_J"]
     assert np.diff(total).max() < 1e-4*energy["potential_J"][0]
     last = particles(dam)
     fluid = last["x"][last["wall"] < 0]
-    reference = np.genfromtxt(REPOSITORY / "validation/damBreakFront/reference/martinMoyce1952.csv",
-                              delimiter=",", skip_header=3, names=True)
+    reference = published("MartinMoyce1952", "front")
     wide = reference["a_in"] == 2.25
     expected = np.interp(0.2*np.sqrt(2*GRAVITY/0.15), reference["T"][wide], reference["Z"][wide])
     ritter = 1 + 2*np.sqrt(GRAVITY*0.3)*0.2/0.15

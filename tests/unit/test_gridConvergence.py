@@ -1,18 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""gridConvergence: the worked example of its source, and values whose order and limit are known; validation/diveUncertainty with it."""
+"""gridConvergence: the worked example of its source, and values whose order and limit are known; the uncertainty of a dive with it."""
 
-import csv
 from math import inf, nan, sqrt
 from pathlib import Path
 
 import pytest
 
-from conftest import REPOSITORY
-from tutorials import comparison
-from plunge.studies.gridConvergence import gridConvergence, representativeSize
-from plunge.uncertainty import COLUMNS, HEADLINES, read_rows
-
-study = comparison(REPOSITORY / "validation/diveUncertainty")
+from plunge.studies.gridConvergence import gridConvergence, levels, representativeSize
+from plunge.studies.headlineUncertainty import Parts, uncertainty, writeTable
+from plunge.uncertainty import COLUMNS, CONDITIONS, HEADLINES, read_rows
 
 
 def test_the_worked_example():
@@ -94,35 +90,31 @@ def test_bad_input_is_refused(sizes, values):
         gridConvergence(sizes, values)
 
 
-# --- the study of the dive ---------------------------------------------------------
+def test_levels():
+    """Of four meshes: each but the coarsest has an uncertainty, of three of second order 1.25 times its error."""
+    sizes = (1, 2, 3, 6)
+    found = levels(sizes, [5 + 0.1*h**2 for h in sizes], 1, 2)
+    assert found[:3] == pytest.approx([1.25*0.1*h**2 for h in sizes[:3]]) and found[3] is None
+    assert levels(sizes[:2], (1, 2)) == [None, None]
+    assert levels((1, 2, 4), (1, nan, 2)) == [None, None, None]
+
+
+# --- the uncertainty of a dive -----------------------------------------------------
 
 # Of second order in the mesh, of first in the time step: 10 where both are 0
-DIVES = {"fine": 10 + 0.9 / 1.5**2, "default": 10.9, "coarse": 10 + 0.9 * 1.5**2, "half-steps": 10.7,
-         "wallFunction": 10.4, "transition-0": 11.2, "transition-3e6": 10.8}
+DIVES = {"fine": 10 + 0.9 / 1.5**2, "default": 10.9, "coarse": 10 + 0.9 * 1.5**2, "half steps": 10.7,
+         "wallFunction": 10.4, "transition 0": 11.2, "transition 3e6": 10.8}
 
 
 def test_the_parts_of_an_uncertainty():
-    parts, rows = study.uncertainty("titan: it", "m/s", DIVES)
+    parts = uncertainty(DIVES)
     assert parts == pytest.approx((1.25 * 0.9, 2 * 0.2, 0.5 * 0.8))
     assert parts.total == pytest.approx(sqrt(1.125**2 + 0.4**2 + 0.4**2))
-    found = {row.quantity: row.value for row in rows}
-    assert found["titan: it, observed order, monotone"] == pytest.approx(2)
-    assert found["titan: it, extrapolated"] == "10"
-    assert found["titan: it, grid convergence index of the default mesh"] == pytest.approx(100 * 1.125 / 10.9)
-    assert found["titan: it, uncertainty by the time step"] == pytest.approx(0.4)
 
 
-def test_an_order_that_is_held_says_so():
-    _, rows = study.uncertainty("it", "m", {**DIVES, "fine": 11.0})
-    assert rows[0].quantity == "it, observed order, oscillatory"
-    _, rows = study.uncertainty("it", "m", {**DIVES, "fine": 10.89})
-    assert rows[0].quantity == "it, observed order, monotone" and rows[0].value > 2
-    assert rows[1].quantity == "it, order of the indices, held in [1, 2]" and rows[1].value == 2
-
-
-@pytest.mark.parametrize("name, part", [("coarse", 0), ("half-steps", 1), ("transition-0", 2), ("wallFunction", 2)])
+@pytest.mark.parametrize("name, part", [("coarse", 0), ("half steps", 1), ("transition 0", 2), ("wallFunction", 2)])
 def test_a_dive_without_a_number_leaves_its_part_unknown(name, part):
-    parts, _ = study.uncertainty("it", "m", {**DIVES, name: nan})
+    parts = uncertainty({**DIVES, name: nan})
     assert [i for i, value in enumerate(parts) if value != value] == [part]
     assert parts.total != parts.total
 
@@ -131,52 +123,12 @@ def test_the_table_keeps_other_fluids_and_leaves_out_what_is_unknown(tmp_path: P
     path = tmp_path / "uncertainty.csv"
     numbers = {name: (1.5, "m/s") for name in HEADLINES}
     for fluids, mesh in (("titan", 3.0), ("water", 6.0), ("titan", 5.0)):
-        parts = {name: study.Parts(mesh, 4.0, 0.0) for name in HEADLINES[:2]}
-        parts[HEADLINES[2]] = study.Parts(nan, 1.0, 1.0)
-        study.writeTable(path, fluids, {name: fluids if name == "fluids" else "x" for name in study.conditions(tmp_path)}, numbers, parts,
-                         "abc123")
+        parts = {name: Parts(mesh, 4.0, 0.0) for name in HEADLINES[:2]}
+        parts[HEADLINES[2]] = Parts(nan, 1.0, 1.0)
+        writeTable(path, {name: fluids if name == "fluids" else "x" for name in CONDITIONS}, numbers, parts, "abc123")
     rows = read_rows(path)
     assert list(rows[0]) == list(COLUMNS)
     assert [(row["fluids"], row["quantity"], row["mesh_uncertainty"]) for row in rows] == [
         (fluids, name, mesh) for fluids, mesh in (("water", "6"), ("titan", "5")) for name in HEADLINES[:2]]
     assert rows[0]["total_uncertainty"] == "7.211" and rows[0]["value"] == "1.5"
     assert f"titan: {HEADLINES[2]}: no uncertainty" in capsys.readouterr().err
-
-
-def test_the_study_from_finished_dives(tmp_path: Path, monkeypatch, capsys):
-    """Without the dives themselves: their summaries are there, one without full immersion."""
-    case = tmp_path / "case"
-    (case / "constant").mkdir(parents=True)
-    (case / "constant/plungeFluids").write_text("titan { gravity 1.35; }\n")
-    for name in study.OPTIONS:
-        run = tmp_path / "run/titan" / name
-        for folder in ("results", "system", "constant/polyMesh"):
-            (run / folder).mkdir(parents=True)
-        (run / "system/plungeGenerated").write_text("FoamFile { object x; }\nfluids titan;\ntier fast;\n")
-        (run / "system/controlDict").write_text("FoamFile { version 2.0; format ascii; class dictionary; object controlDict; }\n"
-                                                "application plungeFoam;\n")
-        (run / "log.plungeFoam").write_text("ExecutionTime = 12 s  ClockTime = 13 s\n")
-        (run / "constant/polyMesh/boundary").write_text("")
-        (run / "constant/polyMesh/owner").write_text('note "nPoints:8  nCells:27";')
-        lost = nan if name == "coarse" else DIVES[name]
-        (run / "results/summary.csv").write_text("quantity,value,unit\n" + "".join(
-            f"{quantity},{lost if 'pitch' in quantity else DIVES[name]},m\n" for quantity in HEADLINES))
-    monkeypatch.setattr(study, "HERE", tmp_path)
-    monkeypatch.setattr(study, "RUNS", tmp_path / "run")
-    monkeypatch.setattr(study, "CASE", case)
-    monkeypatch.setattr(study, "solve", lambda run, fluids: None)
-    monkeypatch.setattr(study, "software_version", lambda folder: "abc123")
-    monkeypatch.setattr("plunge.studies.resultTable.software_version", lambda folder: "abc123")
-    monkeypatch.setattr("sys.argv", ["compare.py", "-fluids", "titan"])
-    assert study.main() == 0
-
-    said = capsys.readouterr().err
-    assert "coarse/results/summary.csv, pitch change at full immersion: nan; expected a finite number" in said
-    rows = read_rows(case / "constant/uncertainty.csv")
-    assert [row["quantity"] for row in rows] == [name for name in HEADLINES if "pitch" not in name]
-    assert {(row["fluids"], row["tier"], row["unit"], row["version"]) for row in rows} == {("titan", "fast", "m", "abc123")}
-    with (tmp_path / "result.csv").open(newline="") as file:
-        result = {row["quantity"]: row for row in csv.DictReader(file)}
-    assert result["titan: cells, fine"]["value"] == "27" and result["titan: cells, fine"]["cpu_s"] == "12"
-    assert result["titan: peak deceleration, default"]["value"] == "10.9"
-    assert result["titan: change of velocity lost at full immersion by doubling, estimated from 1 and 1.5"]["holds"] == "yes"

@@ -278,7 +278,7 @@ def test_both_solvers_dive_from_the_same_scene(case: Path) -> None:
     run = case / "run/water-fast-particles"
     files = {str(path.relative_to(run)) for path in run.rglob("*") if path.is_file()}
     assert files == {"Allrun", "constant/g", "constant/bodyMotion", "constant/particleProperties", "constant/scene",
-                     "constant/uncertainty.csv", "plunge.sbatch", "system/controlDict", "system/plungeGenerated"}
+                     "constant/uncertainty.csv", "system/controlDict", "system/plungeGenerated"}
     assert not (case / "run/water-fast/constant/particleProperties").exists()
 
 

@@ -318,7 +318,7 @@ def test_the_uncertainty_of_the_same_dive_is_found(tmp_path):
     assert set(found) == set(MEASURED)
     assert found["peak deceleration"].total == 1.3
     assert found["peak deceleration"].parts == {"mesh": 0.3, "time step": 0.4, "boundary layer": 1.2}
-    assert "validation/diveUncertainty" in sentence and "version abc123 of 2026-11-30" in sentence
+    assert "the study diveUncertainty" in sentence and "version abc123 of 2026-11-30" in sentence
 
 
 def test_no_uncertainty_is_taken_from_another_dive(tmp_path):
@@ -326,8 +326,10 @@ def test_no_uncertainty_is_taken_from_another_dive(tmp_path):
     only = ("Uncertainty: measured for the default dive, fluids water or titan, tier fast, model half, mesh overset, resolution 1, "
             "boundaryLayer frictionLine only, not for ")
     for change, ends in (({"tier": "fine"}, "tier fine."), ({"speed": "10", "bodyMass": "3"}, "bodyMass 3, speed 10."),
-                         ({"fluids": "kraken"}, "fluids kraken; validation/diveUncertainty/Allrun -fluids kraken measures it."),
-                         ({"freedom": "axial"}, "freedom axial."), ({"shape": "spheroid"}, "shape spheroid."),
+                         ({"fluids": "kraken"}, "fluids kraken; validation/run diveUncertainty -tier kraken measures it."),
+                         ({"freedom": "axial"}, "freedom axial."),
+                         ({"application": "plungeSPH", "mesh": "none"}, "application plungeSPH."),
+                         ({"shape": "spheroid"}, "shape spheroid."),
                          ({"forward": "(0 0 -1)", "heading": "(0.6 0 -0.8)"}, "heading (0.6 0 -0.8)."),
                          ({"angularMomentum": "(0 1 0)"}, "angularMomentum (0 1 0).")):
         write_dive_parameters(tmp_path, **change)
@@ -780,6 +782,30 @@ def test_the_picture_of_an_axisymmetric_model_shows_pressure_on_the_left_and_spe
     assert sections.scales(tmp_path / "case")[:2] == (8000, 4)
 
 
+@pytest.mark.parametrize("level", [-2.0, 0.0, 2.0])
+def test_a_frame_without_a_surface_is_drawn_without_complaint(level, recwarn):
+    """All gas, both, all liquid."""
+    from matplotlib.cm import ScalarMappable
+    from matplotlib.colors import Normalize
+    from plunge import sections
+    from plunge.figures import plt
+
+    points = np.array([(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)])
+    zero = np.zeros(4)
+    section = sections.Section(0.0, points, zero, zero, [], [], points[:, 1] + 0.5 + level, np.array([(0, 1, 2), (0, 2, 3)]))
+    look = sections.Look((-1, 1, -1, 1), *(ScalarMappable(Normalize(-1, 1)) for _ in range(2)), 1.0, 1.0, ("", ""))
+
+    class Film:
+        mirrored = False
+
+    figure, axes = plt.subplots()
+    sections.draw(axes, Film(), section, look)
+    assert not recwarn
+    filled = sum(len(c.get_paths()) > 0 for c in axes.collections[1:])
+    assert filled == {-2.0: 1, 0.0: 2, 2.0: 0}[level]  # the gas; the gas and the line; neither
+    plt.close(figure)
+
+
 def test_the_frame_is_about_the_body_and_the_surface():
     from plunge.sections import frame
 
@@ -933,7 +959,7 @@ def test_the_report_ends_with_the_answer_how_sure_it_is_and_what_was_left_out(tm
         "  full immersion                   36.0000 ms +- 0.0050 (mesh 0.0030, time step 0.0040, boundary layer 0)",
         "  velocity lost at full immersion  1.750 m/s +- 0.051 (mesh 0.030, time step 0.010, boundary layer 0.040) of 25 m/s",
         "  pitch change at full immersion   3.6 deg",
-        "  +-: root of the sum of the squares of its parts; validation/diveUncertainty, version abc123 of",
+        "  +-: root of the sum of the squares of its parts; the study diveUncertainty, version abc123 of",
         "    2026-11-30.",
         "Not modelled, and what that costs:",
         "  the wake's cavity is filled with gas that cannot be compressed, which costs the closure of the",
@@ -974,6 +1000,7 @@ TURNED = MOVED | {"Lateral acceleration, body axes", "Pitch"}
 
 @pytest.mark.parametrize("body, straight, shows", [
     (Body("free"), False, TURNED | {"Path of the centre of mass", FORCE + "whole body"}),
+    (Body("free", False, "z", 0.1, 0.01, 500), False, TURNED | {"Path of the centre of mass", FORCE + "whole body", "coefficient"}),
     (Body("planar", True, "z", 0.1, 0.1, 500), True, TURNED | {FORCE + "per metre", "coefficient"}),
     (Body("axial", False, "z", 0.1, 0.01, 500), True, MOVED | {FORCE + "whole body", "coefficient"}),
     (Body("axial"), True, MOVED | {FORCE + "whole body"}),

@@ -14,7 +14,7 @@ Description
 #include "freeSurfaceFlow.H"
 #include "profileTable.H"
 #include "profiling.H"
-#include "unfinishedTime.H"
+#include "restart.H"
 
 #include <malloc.h>
 
@@ -35,8 +35,7 @@ int main(int argc, char *argv[])
     #include "addCheckCaseOptions.H"
     #include "setRootCaseLists.H"
     #include "createTime.H"
-    unfinishedTime::refuse(runTime);
-    freeSurfaceFlow::restoreTime(runTime);
+    restart::begin(runTime);
     #include "createDynamicFvMesh.H"
 
     freeSurfaceFlow flow(mesh);
@@ -72,7 +71,7 @@ int main(int argc, char *argv[])
 
         {
             addProfiling(output, "output");
-            const unfinishedTime mark(runTime, runTime.writeTime());
+            const restart::unfinishedTime mark(runTime, runTime.writeTime());
             runTime.write();
         }
         runTime.printExecutionTime(Info);

@@ -360,7 +360,7 @@ TEST(ExactFlows, momentumIsKept)
 
 
 // The viscous decay of vortices between mirror planes. At higher Reynolds numbers the lattice, which has to break first,
-// takes more energy than viscosity does: validation/particleExact.
+// takes more energy than viscosity does: validation/studies/particleExact.
 TEST(ExactFlows, TaylorGreen)
 {
     const double coarse = TaylorGreenError(10, 10, false);

@@ -4,7 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "particleSetUp.H"
-#include "surfaceInCase.H"
+#include "../surfaceInCase.H"
+#include "walls.H"
 
 #include "IStringStream.H"
 
@@ -287,7 +288,7 @@ TEST(particleSetUp, boxesThatAreNoMultiples)
         testing::internal::GetCapturedStderr() + testing::internal::GetCapturedStdout();
 
     ASSERT_EQ(count(state, -1), 45);
-    EXPECT_NE(warnings.find("Box of fluid: its size"), std::string::npos) << warnings;
+    EXPECT_NE(warnings.find("Box of fluid: the size"), std::string::npos) << warnings;
     double volume = 0;
     for (std::size_t i = 0; i < 45; ++i)
     {

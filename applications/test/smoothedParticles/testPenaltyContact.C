@@ -24,17 +24,17 @@ constexpr double radius = 0.05;
 constexpr double thickness = 0.3;
 
 
-std::shared_ptr<const contactSurface> surfaceOf(const std::string& entries, int dim, double dp = spacing, const fileName& directory = ".")
+contactSurface surfaceOf(const std::string& entries, int dim, double dp = spacing, const fileName& directory = ".")
 {
     IStringStream stream("name wall; " + entries);
-    return newContactSurface(dictionary(stream), dim, dp, thickness/spacing*dp, directory);
+    return contactSurface(shape::New(dictionary(stream), {dim, directory, thickness/spacing*dp}), dp);
 }
 
 
 //- Expects this depth along this normal; no touch for a depth of 0
 void expectTouch(const contactSurface& surface, const point& x, double depth, const vector& normal)
 {
-    contactSurface::touching t;
+    shape::touching t;
     const bool touches = surface.touch(x, t);
     EXPECT_EQ(touches, depth > 0) << "at " << x.x() << ' ' << x.y() << ' ' << x.z();
     if (touches && depth > 0)
@@ -117,35 +117,35 @@ struct planeBody
 TEST(ContactSurface, tank)
 {
     const auto tank = surfaceOf("type box; min (0 0 0); max (1 2 0); open (top);", 2);
-    expectTouch(*tank, point(0.5, 1, 0), 0, Zero);
-    expectTouch(*tank, point(0.05 + 1e-9, 1, 0), 0, Zero);
-    expectTouch(*tank, point(0.02, 1, 0), 0.03, vector(1, 0, 0));
-    expectTouch(*tank, point(1.1, 1, 0), 0.15, vector(-1, 0, 0));
-    expectTouch(*tank, point(0.5, -0.05, 0), 0.1, vector(0, 1, 0));
+    expectTouch(tank, point(0.5, 1, 0), 0, Zero);
+    expectTouch(tank, point(0.05 + 1e-9, 1, 0), 0, Zero);
+    expectTouch(tank, point(0.02, 1, 0), 0.03, vector(1, 0, 0));
+    expectTouch(tank, point(1.1, 1, 0), 0.15, vector(-1, 0, 0));
+    expectTouch(tank, point(0.5, -0.05, 0), 0.1, vector(0, 1, 0));
     // Both faces of a corner
-    expectTouch(*tank, point(-0.04, -0.07, 0), 0.15, vector(0.6, 0.8, 0));
+    expectTouch(tank, point(-0.04, -0.07, 0), 0.15, vector(0.6, 0.8, 0));
     // Over the open top there is no wall, and the nearest way out of the wall is over the rim or to the outside
-    expectTouch(*tank, point(0.5, 2, 0), 0, Zero);
-    expectTouch(*tank, point(-0.1, 2.06, 0), 0, Zero);
-    expectTouch(*tank, point(-0.1, 2.02, 0), 0.03, vector(0, 1, 0));
-    expectTouch(*tank, point(-0.25, 1, 0), 0.1, vector(-1, 0, 0));
-    expectTouch(*tank, point(-0.36, 1, 0), 0, Zero);
+    expectTouch(tank, point(0.5, 2, 0), 0, Zero);
+    expectTouch(tank, point(-0.1, 2.06, 0), 0, Zero);
+    expectTouch(tank, point(-0.1, 2.02, 0), 0.03, vector(0, 1, 0));
+    expectTouch(tank, point(-0.25, 1, 0), 0.1, vector(-1, 0, 0));
+    expectTouch(tank, point(-0.36, 1, 0), 0, Zero);
 }
 
 
 TEST(ContactSurface, boxAndSphere)
 {
     const auto box = surfaceOf("type box; solid yes; min (0 0 0); max (1 1 1);", 3);
-    expectTouch(*box, point(0.5, 0.5, 1.06), 0, Zero);
-    expectTouch(*box, point(0.5, 0.5, 1.02), 0.03, vector(0, 0, 1));
-    expectTouch(*box, point(0.5, 0.1, 0.6), 0.15, vector(0, -1, 0));
-    expectTouch(*box, point(1.03, 1.04, 0.5), 0, Zero);
-    expectTouch(*box, point(1.018, 1.024, 0.5), 0.02, vector(0.6, 0.8, 0));
+    expectTouch(box, point(0.5, 0.5, 1.06), 0, Zero);
+    expectTouch(box, point(0.5, 0.5, 1.02), 0.03, vector(0, 0, 1));
+    expectTouch(box, point(0.5, 0.1, 0.6), 0.15, vector(0, -1, 0));
+    expectTouch(box, point(1.03, 1.04, 0.5), 0, Zero);
+    expectTouch(box, point(1.018, 1.024, 0.5), 0.02, vector(0.6, 0.8, 0));
 
     const auto sphere = surfaceOf("type sphere; centre (1 0 0); radius 0.5;", 3);
-    expectTouch(*sphere, point(1, 0.56, 0), 0, Zero);
-    expectTouch(*sphere, point(1.324, 0.432, 0), 0.01, vector(0.6, 0.8, 0));
-    expectTouch(*sphere, point(1, 0, -0.3), 0.25, vector(0, 0, -1));
+    expectTouch(sphere, point(1, 0.56, 0), 0, Zero);
+    expectTouch(sphere, point(1.324, 0.432, 0), 0.01, vector(0.6, 0.8, 0));
+    expectTouch(sphere, point(1, 0, -0.3), 0.25, vector(0, 0, -1));
 }
 
 
@@ -182,20 +182,20 @@ TEST(ContactSurface, triangles)
         {
             for (double z = -0.0571; z < 1.1; z += 0.0877)
             {
-                contactSurface::touching t;
-                const bool touches = box->touch(point(x, y, z), t);
+                shape::touching t;
+                const bool touches = box.touch(point(x, y, z), t);
                 nTouching += touches;
-                expectTouch(*cube, point(x, y, z), touches ? t.depth : 0, t.normal);
+                expectTouch(cube, point(x, y, z), touches ? t.depth : 0, t.normal);
             }
-            contactSurface::touching t;
-            const bool touches = flat->touch(point(x, y, 0), t);
-            expectTouch(*square, point(x, y, 0), touches ? t.depth : 0, t.normal);
+            shape::touching t;
+            const bool touches = flat.touch(point(x, y, 0), t);
+            expectTouch(square, point(x, y, 0), touches ? t.depth : 0, t.normal);
         }
     }
     EXPECT_GT(nTouching, 1000);
-    EXPECT_NEAR(cube->maxArea(), 0.5, 1e-12);
+    EXPECT_NEAR(cube.maxArea(), 0.5, 1e-12);
     // The plane crosses each side's two triangles
-    EXPECT_NEAR(square->maxArea(), 0.5, 1e-12);
+    EXPECT_NEAR(square.maxArea(), 0.5, 1e-12);
 }
 
 

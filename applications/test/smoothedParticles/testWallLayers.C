@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Layers of particles behind curved walls: where they are, the solid that they represent, and what a kernel sees of them.
 
-#include "surfaceInCase.H"
+#include "../surfaceInCase.H"
 
+#include "closedSurface.H"
 #include "smoothingKernels.H"
+#include "sphereShape.H"
 #include "wallLayers.H"
 
 #include "IStringStream.H"
@@ -15,8 +17,6 @@
 #include <set>
 
 using namespace Foam;
-using Foam::smoothedParticles::closedSurface;
-using Foam::smoothedParticles::solidMeasures;
 using Foam::smoothedParticles::sphereLayers;
 using Foam::smoothedParticles::surfaceLayers;
 using Foam::smoothedParticles::wallParticles;
@@ -147,7 +147,7 @@ protected:
     autoPtr<closedSurface> surface(int dim) const
     {
         IStringStream stream("file \"constant/body.stl\";");
-        return autoPtr<closedSurface>(new closedSurface(dictionary(stream), directory, dim));
+        return autoPtr<closedSurface>(new closedSurface(dictionary(stream), {dim, directory}));
     }
 };
 
@@ -205,7 +205,7 @@ TEST_F(wallLayers, ofASphereConverge)
         {
             solidMeasures represented;
             sphereLayers(point(0.3, 0.2, 0), 1, dim, spacing, nLayers, represented);
-            const solidMeasures exact = smoothedParticles::ballMeasures(point(0.3, 0.2, 0), 1, dim);
+            const solidMeasures exact = ballMeasures(point(0.3, 0.2, 0), 1, dim);
             EXPECT_NEAR(represented.volume, dim == 2 ? M_PI : 4*M_PI/3, 1e-12);
             EXPECT_LT(mag(represented.centroid() - point(0.3, 0.2, 0)), 1e-12);
             EXPECT_NEAR(exact.inertia().zz(), dim == 2 ? M_PI/2 : 8*M_PI/15, 1e-12);
@@ -254,7 +254,7 @@ TEST_F(wallLayers, ofASurfaceFollowIt)
     const double spacing = 0.08;
     const autoPtr<closedSurface> body(surface(3));
     solidMeasures represented;
-    const wallParticles wall = surfaceLayers(*body, 3, spacing, nLayers, {}, represented);
+    const wallParticles wall = surfaceLayers(*body, spacing, nLayers, {}, represented);
 
     // Half a spacing, one and a half, ... behind the face
     std::map<long, int> inLayer;
@@ -308,7 +308,7 @@ TEST_F(wallLayers, ofASurfaceConverge)
     const auto represented = [&](double spacing)
     {
         solidMeasures result;
-        surfaceLayers(*body, 3, spacing, nLayers, {}, result);
+        surfaceLayers(*body, spacing, nLayers, {}, result);
         return result;
     };
     const solidMeasures coarse(represented(0.12)), fine(represented(0.06));
@@ -321,7 +321,7 @@ TEST_F(wallLayers, ofASurfaceConverge)
 
     // A flat face is like a lattice's
     solidMeasures unused;
-    const wallParticles wall = surfaceLayers(*body, 3, 0.06, nLayers, {}, unused);
+    const wallParticles wall = surfaceLayers(*body, 0.06, nLayers, {}, unused);
     const vector normal(vector(1, 1, 1)/std::sqrt(3.0));
     const double flat = flatLatticeSum(0.03, 0.06, 3);
     for (int k = 0; k < 20; ++k)
@@ -351,7 +351,7 @@ TEST_F(wallLayers, ofACut)
     const auto represented = [&](double spacing)
     {
         solidMeasures result;
-        surfaceLayers(*square, 2, spacing, nLayers, {}, result);
+        surfaceLayers(*square, spacing, nLayers, {}, result);
         return result;
     };
     EXPECT_NEAR(represented(0.05).volume, 2, 1e-3);
@@ -399,7 +399,7 @@ TEST_F(wallLayers, ofAPrismAreThoseOfACircle)
     write(points, triangles);
     const autoPtr<closedSurface> prism(surface(2));
 
-    const solidMeasures circle(smoothedParticles::ballMeasures(centre, 1, 2));
+    const solidMeasures circle(ballMeasures(centre, 1, 2));
     EXPECT_NEAR(prism->measures().volume, circle.volume, 1e-3);
     EXPECT_LT(mag(prism->measures().centroid() - centre), 1e-6);
     EXPECT_NEAR(prism->measures().inertia().zz(), circle.inertia().zz(), 1e-3);
@@ -415,7 +415,7 @@ TEST_F(wallLayers, ofAPrismAreThoseOfACircle)
 
     const double spacing = 0.05;
     solidMeasures represented, expected;
-    const wallParticles ofPrism(surfaceLayers(*prism, 2, spacing, nLayers, {}, represented));
+    const wallParticles ofPrism(surfaceLayers(*prism, spacing, nLayers, {}, represented));
     const wallParticles ofCircle(sphereLayers(centre, 1, 2, spacing, nLayers, expected));
     EXPECT_NEAR(represented.volume, expected.volume, 2e-3);
     EXPECT_LT(mag(represented.centroid() - centre), 1e-3*spacing);
@@ -463,7 +463,7 @@ TEST_F(wallLayers, thinParts)
     const autoPtr<closedSurface> wedge(surface(3));
     EXPECT_NEAR(wedge->measures().volume, 0.25, 1e-6);
     solidMeasures represented;
-    const wallParticles wall = surfaceLayers(*wedge, 3, spacing, nLayers, {}, represented);
+    const wallParticles wall = surfaceLayers(*wedge, spacing, nLayers, {}, represented);
     double first = 1;
     forAll(wall.x, i)
     {
@@ -491,7 +491,7 @@ TEST_F(wallLayers, ofAQuarter)
     const double spacing = 0.1;
     const autoPtr<closedSurface> body(surface(3));
     solidMeasures represented;
-    const wallParticles quarter = surfaceLayers(*body, 3, spacing, nLayers, {{0, 0.3, 1}, {1, 0.2, -1}}, represented);
+    const wallParticles quarter = surfaceLayers(*body, spacing, nLayers, {{0, 0.3, 1}, {1, 0.2, -1}}, represented);
     EXPECT_NEAR(represented.volume/body->measures().volume, 1, 1e-3);
     EXPECT_LT(mag(represented.centroid() - centre), 1e-3);
     EXPECT_LT(mag(represented.inertia() - body->measures().inertia()), 0.01*mag(body->measures().inertia()));

@@ -6,7 +6,7 @@ from __future__ import annotations
 import shlex
 import shutil
 from dataclasses import dataclass
-from math import pi, radians, sin
+from math import ceil, pi, radians, sin
 from pathlib import Path
 from typing import Any
 
@@ -92,7 +92,7 @@ class Case:
                f"{self.scene.duration * 1e3:.4g} ms on {self.options['cores']} core(s)"
 
 
-def parameters(path: Path, given: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any], dict[str, Any]]:
+def parameters(given: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any], dict[str, Any]]:
     """Splits the command line's entries: options of the method, entries of the tier, entries of the scene."""
     options = {k: v for k, v in given.items() if k in DEFAULTS}
     tier = {k[len("tier."):]: v for k, v in given.items() if k.startswith("tier.")}
@@ -105,7 +105,7 @@ def parameters(path: Path, given: dict[str, Any]) -> tuple[dict[str, Any], dict[
 
 def derive(path: Path, given: dict[str, Any] = {}) -> Case:
     """A scene's file or case directory, and what the command line asks for (flat names), to all numbers of the dictionaries."""
-    options, tier_entries, entries = parameters(path, given)
+    options, tier_entries, entries = parameters(given)
     if options["soundSpeed"] is not None and options["method"] == "meshes":
         raise ParameterError("-soundSpeed is of particles; expected -method particles with it")
     if tank_scenes.is_tank(path, entries):
@@ -206,18 +206,21 @@ def _copy_case(case: Case, run: Path) -> None:
         if method == "meshes":
             without += [] if flat["boundaryLayer"] == "wallFunction" else _TURBULENCE
             without += [] if flat["mesh"] == "overset" else _OVERSET
+            without += ["snapped"]
         for source in (TEMPLATES / "common", TEMPLATES / method):
             _copy(source, run, tuple(without))
+        if flat.get("bodyMesh") == "snapped":
+            _copy(TEMPLATES / method / "snapped", run)
     own = case.scene.folder
     if case.scene.file.parent.name == "constant":
         for part in ("0.orig", "constant", "system", "background"):
             _copy(own / part, run / part, ("scene", "scene.*", "polyMesh", *without))
 
 
-def _write_scene(case: Case, run: Path) -> None:
+def _write_scene(case: Case, run: Path, overrides: dict[str, Any]) -> None:
     """The effective scene; the shape's file goes with it."""
     scene = case.scene
-    entries: dict[str, Any] = scenes.read_entries(scene.file, parameters(scene.file, _scene_overrides(case))[2])
+    entries: dict[str, Any] = scenes.read_entries(scene.file, overrides)
     shape = entries["body"]["shape"] if "body" in entries else {}
     if "file" in shape:
         source = scene.folder / shape["file"]
@@ -228,34 +231,24 @@ def _write_scene(case: Case, run: Path) -> None:
     foamDictionary.write_nested(run / "constant" / "scene", NOTE.replace("constant/scene", str(scene.file.name)), entries)
 
 
-def _scene_overrides(case: Case) -> dict[str, Any]:
-    return case.options.get("overrides", {})
-
-
-def _write_job(case: Case, path: Path, run: Path) -> None:
-    """Fill in the batch script: what it asks of the scheduler follows from the estimate."""
-    flat, cores = case.flat, case.options["cores"]
-    if case.options["method"] == "particles":
-        # Walls and layers of the tank and the body are about as many again; per particle and step, per particle
-        tasks, threads, number_, microseconds, kilobytes = 1, cores, 2 * flat["fluidParticles"], 4, 1
-    else:
-        # Per cell and step, per cell: twice what the fast tier takes
-        tasks, threads, number_, microseconds, kilobytes = cores, 1, flat["estimatedCells"], 60, 6
-    values = {
-        "name": run.name, "tasks": tasks, "threads": threads, "run": shlex.quote(str(run.resolve())),
-        "memoryPerCore": 500 + -(-number_ * kilobytes // 1000 // cores),
-        "hours": max(1, -(-number_ * flat["estimatedSteps"] * microseconds * 1e-6 // cores // 3600)),
-    }
+def write_job(case: Case, run: Path, memory: float, hours: float) -> Path:
+    """A batch script for Slurm in the run directory, which asks for this memory [MB] and time [h]."""
+    cores = case.options["cores"]
+    tasks, threads = (1, cores) if case.options["method"] == "particles" else (cores, 1)
     text = (TEMPLATES / JOB).read_text()
-    for name, value in values.items():
-        text = text.replace(f"@{name}@", f"{value:.0f}" if isinstance(value, float) else str(value))
+    for name, value in {"name": run.name, "tasks": tasks, "threads": threads, "run": shlex.quote(str(run.resolve())),
+                        "memoryPerCore": ceil(memory / cores), "hours": ceil(hours)}.items():
+        text = text.replace(f"@{name}@", str(value))
     (run / JOB).write_text(text)
+    return run / JOB
 
 
 def write(case: Case, run: Path, given: dict[str, Any]) -> bool:
     """Make the run directory, unless it is there for the same scene. Was it made?"""
     if any(character.isspace() for character in str(run.absolute())):
         raise ParameterError(f"run directory '{run}': expected a path without spaces, which OpenFOAM does not take")
+    if run.exists() and not run.is_dir():
+        raise ParameterError(f"run directory '{run}': there is a file of this name; expected a directory, or none yet")
     generated = run / GENERATED
     flat = case.flat
     if generated.exists():
@@ -269,13 +262,11 @@ def write(case: Case, run: Path, given: dict[str, Any]) -> bool:
         return False
     if run.exists() and any(run.iterdir()) and not (run / "constant").exists() and not (run / "system").exists():
         raise ParameterError(f"{run} holds other files; expected a new directory, or one that plungeCase has made")
-    case.options["overrides"] = parameters(case.scene.file, given)[2]
     _copy_case(case, run)
-    _write_scene(case, run)
+    _write_scene(case, run, parameters(given)[2])
     allrun = run / "Allrun"
     allrun.write_text(allrun.read_text().replace("@plungeDir@", str(TEMPLATES.parents[1])))
     allrun.chmod(0o755)
-    _write_job(case, case.scene.file, run)
     # Its presence says that the set-up is complete, so it comes last.
     foamDictionary.write(generated, NOTE, case.sections)
     return True

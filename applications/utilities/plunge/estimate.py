@@ -123,12 +123,42 @@ def _duration(seconds: float) -> str:
     return f"{seconds:.0f} s" if seconds < 120 else f"{seconds / 60:.0f} min" if seconds < 7200 else f"{seconds / 3600:.1f} h"
 
 
-def _bytes(kilobytes: float) -> str:
-    return f"{kilobytes / 1e3:.0f} MB" if kilobytes < 2e6 else f"{kilobytes / 1e6:.1f} GB"
+def _megabytes(value: float) -> str:
+    return f"{value:.0f} MB" if value < 2e3 else f"{value / 1e3:.1f} GB"
 
 
-def of(scene: Path, entries: dict[str, Any], case: Case) -> str:
-    """A few lines for the user; the probe works in a temporary directory."""
+@dataclass(frozen=True)
+class Estimate:
+    """Of a scene by a method."""
+
+    unit: str           # cells or particles
+    count: float
+    steps: float
+    set_up: float       # CPU time of the meshing [s]
+    solver: float       # and of the solver [s]
+    cores: int
+    memory: float       # [MB]
+    disk: float         # [MB]
+    frames: int
+
+    @property
+    def elapsed(self) -> float:
+        """With all cores at work [s]"""
+        return self.set_up + self.solver / self.cores
+
+    def __str__(self) -> str:
+        return "\n".join([
+            f"{self.unit:<12} {self.count:,.0f}",
+            f"steps        {self.steps:,.0f}",
+            f"CPU time     {_duration(self.set_up + self.solver)}, of which the solver {_duration(self.solver)}; on {self.cores} core(s) "
+            f"at best {_duration(self.elapsed)}",
+            f"memory       {_megabytes(self.memory)}",
+            f"disk         {_megabytes(self.disk)}, {self.frames} written times",
+        ])
+
+
+def of(scene: Path, entries: dict[str, Any], case: Case) -> Estimate:
+    """By a probe in a temporary directory, which is announced on stderr."""
     method, resolution = case.options["method"], float(case.options["resolution"])
     ratio = _PROBE_COUNT[method] / _expected(case)
     dimensions = 2 if case.flat["model"] in ("plane", "axisymmetric") else 3
@@ -137,20 +167,14 @@ def of(scene: Path, entries: dict[str, Any], case: Case) -> str:
     with tempfile.TemporaryDirectory(prefix="plungeEstimate") as folder:
         probe, coarse = _probe(scene, entries, probed, Path(folder).resolve() / "run")
 
-    finer = resolution / probed
     count = _expected(case) * probe.count / _expected(coarse)
-    steps = probe.steps * finer * _coarser(case, coarse)
+    steps = probe.steps * resolution / probed * _coarser(case, coarse)
     growth = (count / probe.count) ** _GROWTH[method]
-    solver, set_up = probe.solver * growth * count * steps, probe.set_up * count
     cores = case.options["cores"]
-    memory = cores * _BASE_MEMORY + probe.memory * count
-    return "\n".join([
-        f"{_NATIVE[method]:<12} {count:,.0f}",
-        f"steps        {steps:,.0f}",
-        f"CPU time     {_duration(solver + set_up)}, of which the solver {_duration(solver)}; on {cores} core(s) at best {_duration(solver / cores + set_up)}",
-        f"memory       {_bytes(memory)}",
-        f"disk         {_bytes(probe.frame * count * (case.scene.frames + 1))}, {case.scene.frames} written times",
-    ])
+    processes = cores if method == "meshes" else 1
+    return Estimate(_NATIVE[method], count, steps, probe.set_up * count, probe.solver * growth * count * steps, cores,
+                    (processes * _BASE_MEMORY + probe.memory * count) / 1000,
+                    probe.frame * count * (case.scene.frames + 1) / 1000, case.scene.frames)
 
 
 def _coarser(case: Case, coarse: Case) -> float:

@@ -135,7 +135,7 @@ def force_panel(axes: Axes, table: Table, body: Body, events: dict[str, float]) 
         axes.plot(1e3 * time, force, color=f"C{i}", label=label)
     limits_from_contact(axes, [(time, force, events["contact"]) for force in curves.values()])
     panel(axes, title, f"force [{body.force}]", events)
-    axes.legend()
+    axes.legend(loc="center right")
 
 
 def coefficient_panel(axes: Axes, table: Table, body: Body, events: dict[str, float]) -> None:
@@ -168,13 +168,14 @@ def trajectory_figure(title: str, table: Table, ledger: Table | None, numbers: Q
         *(["speed", "slow"] if not body.driven else []),
         *(["lateral", "pitch"] if body.turns else []),
         "force",
-        *(["coefficient"] if not wanders and body.freedom != "fixed" and body.area and body.pressure else []),
         *(["ledger"] if ledger is not None else []),
     ]
+    if body.freedom != "fixed" and body.area and body.pressure and (not wanders or len(wanted) % 2):
+        wanted.insert(wanted.index("force") + 1, "coefficient")
     rows = -(-len(wanted) // 2)
     figure, axes = plt.subplots(rows, 2, figsize=(A4[0], A4[1] * (2 * rows + 0.4) / (PANELS + 0.4)), constrained_layout=True,
                                 squeeze=False)
-    figure.suptitle(textwrap.fill(title, 125), fontsize=9)
+    figure.suptitle(textwrap.fill(title, 132), fontsize=9)
     write_notes(figure, notes)
     at = dict(zip(wanted, axes.flat))
     for ax in axes.flat[len(wanted):]:

@@ -244,6 +244,35 @@ def key_numbers(trajectory: Table, ledger: Table | None, extent: Table, body: Bo
     return numbers
 
 
+_ADDED_MASS = {  # by row and column of the tensor in body axes: forward, to the side, dorsal, then about them
+    (0, 0): ("along the axis", "mass"), (1, 1): ("to the side", "mass"), (2, 2): ("across the axis", "mass"), (4, 4): ("in pitch", "inertia"),
+}
+
+
+def added_mass(case: Path) -> Quantities:
+    """What the fluids added to the whole body's mass and inertia as plungeFoam has computed it last, where it has: uniform/addedMass
+    of the latest time, of the motions that the body is free to make."""
+    given = parameters(case)
+    files = [path for part in (case, case / "processor0") for path in part.glob("*/uniform/addedMass")]
+    if not files or "bodyMass" not in given:
+        return {}
+    latest = max(files, key=lambda path: float(path.parents[1].name))
+    found = re.search(r"tensor\s+36\s*\(([^)]*)\)", latest.read_text(errors="replace"))
+    if not found:
+        return {}
+    tensor = np.array(found[1].split(), float).reshape(6, 6) * float(given["bodyMass"]) / float(given["modelledMass"])
+    displaced = float(given["liquidDensity"]) * float(given["bodyVolume"])
+    per = "/m" if given["model"] == "plane" else ""
+    numbers: Quantities = {}
+    for (row, column), (direction, kind) in _ADDED_MASS.items():
+        value = float(tensor[row, column])
+        if value:
+            numbers[f"added {kind} {direction}"] = (value, f"kg{per}" if kind == "mass" else f"kg m2{per}")
+            if kind == "mass":
+                numbers[f"added {kind} {direction} over displaced mass"] = (value / displaced, "-")
+    return numbers
+
+
 NOTE = "note"
 MODELS = "models"
 

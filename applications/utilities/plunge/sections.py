@@ -151,7 +151,7 @@ class Look:
             for name, values in (("pressure", section.pressure), ("speed", section.speed)):
                 if values is not None and near.any():
                     largest[name] = max(largest[name], float(np.percentile(np.abs(values[near]), 100 - OUTLIERS)))
-        pressure, speed = round_up(largest["pressure"] / per_pressure), round_up(largest["speed"] / per_speed)
+        pressure, speed = (round_up(largest[name] / per or 1.0) for name, per in (("pressure", per_pressure), ("speed", per_speed)))
         return cls(limits, ScalarMappable(Normalize(-pressure, pressure), "RdBu_r"), ScalarMappable(Normalize(0, speed), "GnBu"),
                    per_pressure, per_speed, (labels[0], labels[1]))
 
@@ -190,8 +190,11 @@ def draw(axes: Axes, film: Film, section: Section, look: Look) -> None:
             continue
         mesh = Triangulation(*points.T, section.triangles[seen])
         axes.tripcolor(mesh, values, shading="gouraud", cmap=colours.cmap, norm=colours.norm, rasterized=True)
-        axes.tricontourf(mesh, section.alpha, levels=[-1e3, LEVEL], colors=[GAS])
-        axes.tricontour(mesh, section.alpha, levels=[LEVEL], colors=[SURFACE], linewidths=1.1)
+        there = section.alpha[mesh.triangles]
+        if there.min() < LEVEL:
+            axes.tricontourf(mesh, section.alpha, levels=[-1e3, LEVEL], colors=[GAS])
+            if there.max() > LEVEL:
+                axes.tricontour(mesh, section.alpha, levels=[LEVEL], colors=[SURFACE], linewidths=1.1)
     for i, line in enumerate(section.body):
         hull, = axes.fill(*line.T, facecolor=BODY, edgecolor="0.2", linewidth=0.6, zorder=3)
         if section.onBody is not None:
@@ -230,8 +233,9 @@ def sheet(title: str, film: Film, look: Look) -> Figure:
         ax.set_axis_off()
     for ax, instant in zip(axes.flat, chosen):
         draw(ax, film, film.section(instant), look)
-    for ax in axes[-1]:
+    for ax in axes.flat[len(chosen) - columns : len(chosen)]:  # the lowest of each column
         ax.set_xlabel(f"{film.axes[0]} [m]")
+        ax.tick_params(labelbottom=True)
     for ax in axes[:, 0]:
         ax.set_ylabel(f"{film.axes[1]} [m]")
     colour_bars(figure, list(axes.flat), film, look)

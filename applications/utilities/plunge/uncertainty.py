@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How sure the headline numbers of a dive are: the table that validation/diveUncertainty measures."""
+"""How sure the headline numbers of a dive are: the table that the study diveUncertainty measures."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from pathlib import Path
 from plunge.results import CaseError, Quantities, parameters
 
 TABLE = "constant/uncertainty.csv"  # plungeCase copies it from the case into its runs
-STUDY = "validation/diveUncertainty/Allrun"
+STUDY = "validation/run diveUncertainty"
 NOT_MEASURED = "Uncertainty: not measured. The same scene with -resolution 2 tells how much the mesh, or the spacing, matters."
 HEADLINES = ("impact deceleration", "peak deceleration", "velocity lost at full immersion", "full immersion time",
              "pitch change at full immersion")
@@ -106,10 +106,12 @@ def read_uncertainties(case: Path) -> tuple[dict[str, Uncertainty], str]:
     if "fluids" in nearest:
         nearest = [name for name in nearest if name not in FLUIDS]
     nearest += other
+    if "application" in nearest:  # the rest follows from it
+        nearest = ["application"]
     if nearest:
         only = ", ".join(f"{name} {' or '.join(dict.fromkeys(row[name] for row in rows))}" for name in NAMED)
         ours = ", ".join(f"{name} {short({**given, **here}[name]) or 'unknown'}" for name in nearest)
-        ends = f"; {STUDY} -fluids {here['fluids']} measures it" if nearest == ["fluids"] else ""
+        ends = f"; {STUDY} -tier {here['fluids']} measures it" if nearest == ["fluids"] else ""
         return {}, f"Uncertainty: measured for the default dive, {only} only, not for {ours}{ends}."
 
     found: dict[str, Uncertainty] = {}
@@ -125,7 +127,7 @@ def read_uncertainties(case: Path) -> tuple[dict[str, Uncertainty], str]:
             raise CaseError(f"{case / TABLE}: quantity {row['quantity']}; expected one of {', '.join(HEADLINES)}")
         found[row["quantity"]] = measured
         version = f"{row['version']} of {row['date']}"
-    return found, f"+-: root of the sum of the squares of its parts; validation/diveUncertainty, version {version}."
+    return found, f"+-: root of the sum of the squares of its parts; the study diveUncertainty, version {version}."
 
 
 def with_uncertainties(numbers: Quantities, uncertainties: dict[str, Uncertainty]) -> Quantities:

@@ -18,10 +18,7 @@ void Foam::freeSurfaceFlow::advectInterface()
     rho_ ==
         mixture_.alpha1()*mixture_.rho1() + mixture_.alpha2()*mixture_.rho2();
 
-    if (composite_)
-    {
-        rhoPhi_ *= composite_->faceMask();
-    }
+    composite_.mask(rhoPhi_);
 
     mixture_.correct();
     if (interface_)

@@ -2,6 +2,7 @@
 
 #include "freeSurfaceFlow.H"
 #include "frictionLine.H"
+#include "inputChecks.H"
 #include "movingWallSlipVelocityFvPatchVectorField.H"
 #include "nutWallFunctionFvPatchScalarField.H"
 #include "wallPolyPatch.H"
@@ -14,7 +15,7 @@ namespace
 using namespace Foam;
 
 //- First layers at the wall in a laminar layer's thickness that give its
-//  friction within 5 % (validation/boundaryLayer)
+//  friction within 5 % (validation/studies/flatPlate)
 const scalar layersInLaminarLayer = 10;
 
 //- Of the first cells' centres that wall functions are made for [-]
@@ -40,13 +41,12 @@ Foam::labelList Foam::freeSurfaceFlow::boundaryLayerPatches() const
         {
             if (patches.indices(name).empty())
             {
-                FatalIOErrorInFunction
+                refuse
                 (
-                    scene_.dict().subDict("frictionLineCoeffs")
-                )   << "Entry patches: " << name
-                    << " names no patch of the mesh." << nl
-                    << "Expected: any of " << patches.names()
-                    << exit(FatalIOError);
+                    scene_.dict().subDict("frictionLineCoeffs"),
+                    text("Entry patches: ", name, " names no patch of the mesh."),
+                    text("any of ", patches.names())
+                );
             }
         }
         const labelList given(patches.patchSet(names).sortedToc());
@@ -54,23 +54,23 @@ Foam::labelList Foam::freeSurfaceFlow::boundaryLayerPatches() const
         {
             if (!isA<wallPolyPatch>(patches[patchi]))
             {
-                FatalIOErrorInFunction
+                refuseEntry
                 (
-                    scene_.dict().subDict("frictionLineCoeffs")
-                )   << "Entry patches " << names << ": "
-                    << patches[patchi].name() << " is of type "
-                    << patches[patchi].type() << nl
-                    << "Expected: patches of type wall." << exit(FatalIOError);
+                    scene_.dict().subDict("frictionLineCoeffs"),
+                    "patches",
+                    text(names, ": ", patches[patchi].name(), " is of type ", patches[patchi].type()),
+                    "patches of type wall."
+                );
             }
             if (body_ && !body_->patches().found(patchi))
             {
-                FatalIOErrorInFunction
+                refuseEntry
                 (
-                    scene_.dict().subDict("frictionLineCoeffs")
-                )   << "Entry patches " << names << ": "
-                    << patches[patchi].name() << " is not the body's" << nl
-                    << "Expected: patches of constant/dynamicMeshDict alone."
-                    << exit(FatalIOError);
+                    scene_.dict().subDict("frictionLineCoeffs"),
+                    "patches",
+                    text(names, ": ", patches[patchi].name(), " is not the body's"),
+                    "patches of constant/dynamicMeshDict alone."
+                );
             }
         }
         return given;
@@ -100,12 +100,17 @@ void Foam::freeSurfaceFlow::slipOverWalls()
             );
             if (!body_ && gMax(mag(wall)) > SMALL)
             {
-                FatalIOErrorInFunction(scene_.dict())
-                    << "Entry boundaryLayer is frictionLine or none, but the"
-                    << " wall " << patch.name() << " moves, and no"
-                    << " sixDoFRigidBodyMotion moves it" << nl
-                    << "Expected: walls at rest, or those of a body."
-                    << exit(FatalIOError);
+                refuseEntry
+                (
+                    scene_.dict(),
+                    "boundaryLayer",
+                    text
+                    (
+                        "is frictionLine or none, but the wall ", patch.name(),
+                        " moves, and no sixDoFRigidBodyMotion moves it"
+                    ),
+                    "walls at rest, or those of a body."
+                );
             }
             U_.boundaryFieldRef().set(patchi, new slipWall(patch, U_));
             U_.boundaryFieldRef()[patchi] == wall;
@@ -129,7 +134,7 @@ Foam::freeSurfaceFlow::newTurbulence() const
                 body_.get(),
                 scene_.transitionReynolds(),
                 boundaryLayerPatches(),
-                composite_ ? composite_->zoneID() : labelList()
+                composite_.zoneID()
             )
         );
     }
@@ -167,11 +172,13 @@ void Foam::freeSurfaceFlow::checkBoundaryLayer() const
     const wallScales walls(scalesOfWalls());
     if (walls.area <= 0)
     {
-        FatalIOErrorInFunction(scene_.dict())
-            << "Entry boundaryLayer is given, but the scene has no body and the"
-            << " mesh no patch of type wall" << nl
-            << "Expected: a wall in constant/polyMesh/boundary, or no entry"
-            << " boundaryLayer." << exit(FatalIOError);
+        refuseEntry
+        (
+            scene_.dict(),
+            "boundaryLayer",
+            "is given, but the scene has no body and the mesh no patch of type wall",
+            "a wall in constant/polyMesh/boundary, or no entry boundaryLayer."
+        );
     }
 
     // With these the fluids stick to the walls
@@ -182,11 +189,13 @@ void Foam::freeSurfaceFlow::checkBoundaryLayer() const
             const fvPatchVectorField& wall = U_.boundaryField()[patchi];
             if (!wall.fixesValue())
             {
-                FatalIOErrorInFunction(scene_.dict())
-                    << "Entry boundaryLayer is laminar or wallFunction, but U"
-                    << " on " << wall.patch().name() << " is " << wall.type()
-                    << nl << "Expected: noSlip or movingWallVelocity in "
-                    << time_.timeName() << "/U." << exit(FatalIOError);
+                refuseEntry
+                (
+                    scene_.dict(),
+                    "boundaryLayer",
+                    text("is laminar or wallFunction, but U on ", wall.patch().name(), " is ", wall.type()),
+                    text("noSlip or movingWallVelocity in ", time_.timeName(), "/U.")
+                );
             }
         }
     }
@@ -195,28 +204,35 @@ void Foam::freeSurfaceFlow::checkBoundaryLayer() const
     {
         if (mesh_.dynamic() && !body_)
         {
-            FatalIOErrorInFunction(scene_.dict())
-                << "Entry boundaryLayer is frictionLine, but the mesh moves, and"
-                << " no sixDoFRigidBodyMotion moves its walls" << nl
-                << "Expected: walls at rest, or those of a body."
-                << exit(FatalIOError);
+            refuseEntry
+            (
+                scene_.dict(),
+                "boundaryLayer",
+                "is frictionLine, but the mesh moves, and no sixDoFRigidBodyMotion moves its walls",
+                "walls at rest, or those of a body."
+            );
         }
 
         const dictionary& transport = mixture_;
         if (mixture_.rho1().value() <= mixture_.rho2().value())
         {
-            FatalIOErrorInFunction(transport)
-                << "Entry phases " << transport.get<wordList>("phases")
-                << ": the first is not the heavier one" << nl
-                << "Expected: the liquid first, with boundaryLayer"
-                << " frictionLine." << exit(FatalIOError);
+            refuseEntry
+            (
+                transport,
+                "phases",
+                text(transport.get<wordList>("phases"), ": the first is not the heavier one"),
+                "the liquid first, with boundaryLayer frictionLine."
+            );
         }
         if (!(gMin(mixture_.nuModel1().nu()().primitiveField()) > 0))
         {
-            FatalIOErrorInFunction(scene_.dict())
-                << "Entry boundaryLayer is frictionLine, but the liquid has no"
-                << " viscosity" << nl << "Expected: boundaryLayer none."
-                << exit(FatalIOError);
+            refuseEntry
+            (
+                scene_.dict(),
+                "boundaryLayer",
+                "is frictionLine, but the liquid has no viscosity",
+                "boundaryLayer none."
+            );
         }
     }
 
@@ -228,12 +244,13 @@ void Foam::freeSurfaceFlow::checkBoundaryLayer() const
             const fvPatchScalarField& wall = nut.boundaryField()[patchi];
             if (!isA<nutWallFunctionFvPatchScalarField>(wall))
             {
-                FatalIOErrorInFunction(scene_.dict())
-                    << "Entry boundaryLayer is wallFunction, but nut on "
-                    << wall.patch().name() << " is " << wall.type() << nl
-                    << "Expected: a wall function in "
-                    << time_.timeName() << "/nut, as nutUSpaldingWallFunction."
-                    << exit(FatalIOError);
+                refuseEntry
+                (
+                    scene_.dict(),
+                    "boundaryLayer",
+                    text("is wallFunction, but nut on ", wall.patch().name(), " is ", wall.type()),
+                    text("a wall function in ", time_.timeName(), "/nut, as nutUSpaldingWallFunction.")
+                );
             }
         }
     }
@@ -262,15 +279,22 @@ void Foam::freeSurfaceFlow::checkBoundaryLayer() const
     const scalar needed = thickness/layersInLaminarLayer;
     if (2*walls.distance > needed)
     {
-        FatalIOErrorInFunction(scene_.dict())
-            << "Entry boundaryLayer is laminar, but the mesh does not resolve a"
-            << " laminar layer, which is " << name(thickness) << " m thick half"
-            << " way along " << name(length) << " m at " << name(speed)
-            << " m/s: first cells at the walls are " << name(2*walls.distance)
-            << " m thick" << nl
-            << "Expected: first cells of " << name(needed) << " m or thinner; or"
-            << " boundaryLayer frictionLine, whose friction is Blasius' up to"
-            << " the transition." << exit(FatalIOError);
+        refuseEntry
+        (
+            scene_.dict(),
+            "boundaryLayer",
+            text
+            (
+                "is laminar, but the mesh does not resolve a laminar layer, which is ", name(thickness),
+                " m thick half way along ", name(length), " m at ", name(speed),
+                " m/s: first cells at the walls are ", name(2*walls.distance), " m thick"
+            ),
+            text
+            (
+                "first cells of ", name(needed),
+                " m or thinner; or boundaryLayer frictionLine, whose friction is Blasius' up to the transition."
+            )
+        );
     }
 }
 

@@ -2,9 +2,9 @@
 
 #include "freeSurfaceFlow.H"
 #include "fvc.H"
+#include "inputChecks.H"
 #include "profiling.H"
-
-#include <cmath>
+#include "restart.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -20,12 +20,7 @@ Foam::scalar Foam::freeSurfaceFlow::courantNumber
         return 0;
     }
 
-    scalarField sumPhi
-    (
-        composite_
-      ? fvc::surfaceSum(mag(composite_->faceMask()*phi))().primitiveField()
-      : fvc::surfaceSum(mag(phi))().primitiveField()
-    );
+    scalarField sumPhi(fvc::surfaceSum(mag(composite_.masked(phi)))().primitiveField());
     if (indicator.valid())
     {
         sumPhi *= indicator();
@@ -64,14 +59,17 @@ void Foam::freeSurfaceFlow::checkTimeStep()
     }
     reduce(where, maxOp<point>());
 
-    FatalIOErrorInFunction(control)
-        << "The time step has fallen to " << deltaT << " s, less than "
-        << (control.found("minDeltaT") ? "minDeltaT, " : "")
-        << minDeltaT << " s" << nl
-        << "The flow diverges: it is fastest, " << largest << " m/s, at "
-        << where << nl
-        << "Expected: smaller maxCo and maxAlphaCo, or a better mesh there"
-        << exit(FatalIOError);
+    refuse
+    (
+        control,
+        text
+        (
+            "The time step has fallen to ", deltaT, " s, less than ",
+            (control.found("minDeltaT") ? "minDeltaT, " : ""), minDeltaT, " s\nThe flow diverges: it is fastest, ",
+            largest, " m/s, at ", where
+        ),
+        "smaller maxCo and maxAlphaCo, or a better mesh there"
+    );
 }
 
 
@@ -82,84 +80,7 @@ Foam::tmp<Foam::scalarField> Foam::freeSurfaceFlow::nearInterface() const
 }
 
 
-void Foam::freeSurfaceFlow::alignTimeStep(Time& time)
-{
-    const dictionary& control = time.controlDict();
-    const word writes(control.getOrDefault<word>("writeControl", word::null));
-    if (writes != "adjustable" && writes != "adjustableRunTime")
-    {
-        return;
-    }
-
-    const scalar interval = control.get<scalar>("writeInterval");
-    const scalar start = time.startTime().value();
-    const scalar deltaT = time.deltaTValue();
-    const scalar nearby = 1e-3*deltaT;
-    if (mag(start - interval*std::round(start/interval)) > nearby)
-    {
-        return;
-    }
-
-    const scalar next =
-        interval*(std::floor((time.value() + 0.5*deltaT)/interval) + 1);
-    const scalar left = next - time.value();
-    const scalar aligned = left/max(scalar(1), std::round(left/deltaT));
-    if (mag(aligned - deltaT) < nearby)
-    {
-        time.setDeltaT(aligned, false);
-    }
-}
-
-
-void Foam::freeSurfaceFlow::renewAfterWrite()
-{
-    if (!time_.writeTime())
-    {
-        return;
-    }
-    if (addedMass_)
-    {
-        addedMass_->forgetPressures();
-    }
-    if (interface_ && mesh_.dynamic())
-    {
-        // First free the names of its fields
-        interface_.clear();
-        interface_.reset
-        (
-            new interfaceProperties(mixture_.alpha1(), U_, mixture_)
-        );
-    }
-}
-
-
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::freeSurfaceFlow::restoreTime(Time& time)
-{
-    const IOdictionary saved
-    (
-        IOobject
-        (
-            "time",
-            time.timeName(),
-            "uniform",
-            time,
-            IOobject::READ_IF_PRESENT,
-            IOobject::NO_WRITE,
-            false
-        )
-    );
-    scalar value;
-    if
-    (
-        saved.readIfPresent("value", value)
-     && Time::timeName(value) == time.timeName()
-    )
-    {
-        time.setTime(time.userTimeToTime(value), time.timeIndex());
-    }
-}
 
 
 void Foam::freeSurfaceFlow::chooseTimeStep(Time& time)
@@ -209,7 +130,7 @@ void Foam::freeSurfaceFlow::chooseTimeStep(Time& time)
         );
     const scalar factor = min(min(allowed, 1 + 0.1*allowed), scalar(1.2));
     time.setDeltaT(min(factor*deltaT, maxDeltaT));
-    alignTimeStep(time);
+    restart::alignTimeStep(time);
 
     Info<< "deltaT = " << time.deltaTValue() << endl;
     checkTimeStep();

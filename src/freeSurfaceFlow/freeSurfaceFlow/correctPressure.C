@@ -117,7 +117,7 @@ void Foam::freeSurfaceFlow::setCorrectorTerms()
     correctorTerms_.reset(new correctorTerms(trAU));
     const volScalarField& rAU = correctorTerms_->rAU;
 
-    if (!composite_)
+    if (!composite_.isOverset())
     {
         correctorTerms_->ddtCorr =
             MRF_.zeroFilter
@@ -129,7 +129,7 @@ void Foam::freeSurfaceFlow::setCorrectorTerms()
     {
         correctorTerms_->ddtCorr =
             fvc::interpolate(rho_*rAU)
-           *composite_->faceMaskOld()
+           *composite_.faceMaskOld()
            *fvc::ddtCorr(U_, Uf_());
     }
 
@@ -139,10 +139,7 @@ void Foam::freeSurfaceFlow::setCorrectorTerms()
         (
             bodyForces_*correctorTerms_->rAUf*mesh_.magSf()
         );
-        if (composite_)
-        {
-            tforces.ref() *= composite_->faceMask();
-        }
+        composite_.mask(tforces.ref());
         correctorTerms_->bodyForces = tforces;
     }
 }
@@ -151,11 +148,8 @@ void Foam::freeSurfaceFlow::setCorrectorTerms()
 void Foam::freeSurfaceFlow::printContinuityError()
 {
     scalarField error(fvc::div(phi_)().primitiveField());
-    if (composite_)
-    {
-        // Fringe and holes are not solved: the volume ledger covers them
-        error *= composite_->calculatedCells();
-    }
+    // Fringe and holes are not solved: the volume ledger covers them
+    composite_.maskCalculated(error);
 
     const scalarField& V = mesh_.V().field();
     const scalar perVolume = time_.deltaTValue()/gSum(V);
@@ -210,7 +204,7 @@ void Foam::freeSurfaceFlow::correctPressure()
         phiHbyA += tphig();
     }
 
-    if (composite_ && c.oversetAdjustPhi)
+    if (c.oversetAdjustPhi)
     {
         fvc::makeRelative(phiHbyA, U_);
         oversetAdjustPhi(phiHbyA, U_);
@@ -242,10 +236,7 @@ void Foam::freeSurfaceFlow::correctPressure()
                 HbyA.primitiveField()
               + rAU.primitiveField()
                *reconstruct(correctorTerms_->nByrAUf, dPhi);
-            if (composite_)
-            {
-                U_ *= composite_->cellMask();
-            }
+            composite_.mask(U_);
             U_.correctBoundaryConditions();
             fvOptions_.correct(U_);
         }
@@ -259,10 +250,7 @@ void Foam::freeSurfaceFlow::correctPressure()
         correctUf();
     }
     fvc::makeRelative(phi_, U_);
-    if (composite_)
-    {
-        phi_ *= composite_->faceMask();
-    }
+    composite_.mask(phi_);
     if (last)
     {
         setPressure();

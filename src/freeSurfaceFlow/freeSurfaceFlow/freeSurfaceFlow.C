@@ -4,7 +4,9 @@
 #include "findRefCell.H"
 #include "fvc.H"
 #include "gravityMeshObject.H"
+#include "inputChecks.H"
 #include "localEulerDdtScheme.H"
+#include "restart.H"
 #include "uniformDimensionedFields.H"
 #include "profiling.H"
 
@@ -25,18 +27,6 @@ IOobject readField(const word& name, const fvMesh& mesh)
         IOobject::MUST_READ,
         IOobject::AUTO_WRITE
     );
-}
-
-
-IOobject derivedField
-(
-    const word& name,
-    const fvMesh& mesh,
-    const IOobject::readOption r,
-    const IOobject::writeOption w
-)
-{
-    return IOobject(name, mesh.time().timeName(), mesh, r, w);
 }
 
 } // End anonymous namespace
@@ -95,36 +85,16 @@ Foam::freeSurfaceFlow::freeSurfaceFlow(dynamicFvMesh& mesh)
     time_(mesh.time()),
     scene_(mesh),
     pimple_(mesh),
-    composite_(compositeMesh::New(mesh)),
+    composite_(mesh),
     body_(scene_.hasBody() ? new bodyMotion(mesh) : nullptr),
     addedMass_(body_ && addedMassTensor::isWanted(body_()) ? new addedMassTensor(mesh, body_()) : nullptr),
     p_rgh_(readField("p_rgh", mesh), mesh),
     U_(readField("U", mesh), mesh),
-    phi_
-    (
-        derivedField
-        (
-            "phi",
-            mesh,
-            IOobject::READ_IF_PRESENT,
-            IOobject::AUTO_WRITE
-        ),
-        fvc::flux(U_)
-    ),
+    phi_(restart::field("phi", mesh), fvc::flux(U_)),
     Uf_
     (
         mesh.dynamic()
-      ? new surfaceVectorField
-        (
-            derivedField
-            (
-                "Uf",
-                mesh,
-                IOobject::READ_IF_PRESENT,
-                IOobject::AUTO_WRITE
-            ),
-            fvc::interpolate(U_)
-        )
+      ? new surfaceVectorField(restart::field("Uf", mesh), fvc::interpolate(U_))
       : nullptr
     ),
     mixture_(U_, phi_),
@@ -137,18 +107,12 @@ Foam::freeSurfaceFlow::freeSurfaceFlow(dynamicFvMesh& mesh)
     ),
     rho_
     (
-        derivedField
-        (
-            "rho",
-            mesh,
-            IOobject::READ_IF_PRESENT,
-            IOobject::NO_WRITE
-        ),
+        IOobject("rho", time_.timeName(), mesh, IOobject::READ_IF_PRESENT),
         mixture_.alpha1()*mixture_.rho1() + mixture_.alpha2()*mixture_.rho2()
     ),
     rhoPhi_
     (
-        derivedField("rhoPhi", mesh, IOobject::NO_READ, IOobject::NO_WRITE),
+        IOobject("rhoPhi", time_.timeName(), mesh),
         fvc::interpolate(rho_)*phi_
     ),
     scheme_
@@ -165,20 +129,20 @@ Foam::freeSurfaceFlow::freeSurfaceFlow(dynamicFvMesh& mesh)
                 U_,
                 rhoPhi_,
                 pimple_,
-                composite_.get()
+                composite_
             }
         )
     ),
     fringeVolume_
     (
-        composite_ && scene_.conservesFringe()
-      ? new fringeVolume(*composite_, mixture_.alpha1())
+        scene_.conservesFringe()
+      ? new fringeVolume(composite_, mixture_.alpha1())
       : nullptr
     ),
     buoyancy_(scene_.gravity() ? new buoyancy(mesh) : nullptr),
     p_
     (
-        derivedField("p", mesh, IOobject::NO_READ, IOobject::AUTO_WRITE),
+        IOobject("p", time_.timeName(), mesh, IOobject::NO_READ, IOobject::AUTO_WRITE),
         1*p_rgh_    // the value without the boundary conditions
     ),
     pRefCell_(0),
@@ -204,51 +168,40 @@ Foam::freeSurfaceFlow::freeSurfaceFlow(dynamicFvMesh& mesh)
     mesh_.setFluxRequired(p_rgh_.name());
     setPressureReference();
 
-    if (composite_)
-    {
-        // The viscosities and the distance from the wall follow the mesh by
-        // themselves: of a constant, interpolation would leave all but the last
-        // digits
-        composite_->doNotInterpolate
-        ({
-            "HbyA", "grad(p_rgh)", "nHat", "surfaceIntegrate(phi)",
-            "surfaceIntegrate(phiHbyA)", "pcorr", "cellDisplacement",
-            "nu", "nu1", "nu2", "yWall"
-        });
-    }
+    // The viscosities and the distance from the wall follow the mesh by
+    // themselves: of a constant, interpolation would leave all but the last
+    // digits
+    composite_.doNotInterpolate
+    ({
+        "HbyA", "grad(p_rgh)", "nHat", "surfaceIntegrate(phi)",
+        "surfaceIntegrate(phiHbyA)", "pcorr", "cellDisplacement",
+        "nu", "nu1", "nu2", "yWall"
+    });
 
-    if (controls().correctPhi && !composite_)
+    if (controls().correctPhi && !composite_.isOverset())
     {
         rAU_ = tmp<volScalarField>::New
         (
-            derivedField
-            (
-                "rAU",
-                mesh,
-                IOobject::READ_IF_PRESENT,
-                IOobject::AUTO_WRITE
-            ),
+            restart::field("rAU", mesh),
             mesh_,
             dimensionedScalar("one", dimTime/dimDensity, 1)
         );
     }
 
     // A restart has its flux; only a first start may lack continuity
-    const bool restart =
-        IOobject(phi_.name(), time_.timeName(), mesh_)
-       .typeHeaderOk<surfaceScalarField>(true);
-    if (!restart && scene_.potentialStart())
+    const bool restarted = restart::isFrom(mesh_);
+    if (!restarted && scene_.potentialStart())
     {
         startImpulsively();
     }
-    else if (!restart)
+    else if (!restarted)
     {
         projectFlux();
     }
 
     // A restart has read its eddy viscosity: wall functions iterate on it from
     // one call to the next
-    if (!restart || !scene_.turbulence())
+    if (!restarted || !scene_.turbulence())
     {
         turbulence_->validate();
     }
@@ -260,61 +213,42 @@ Foam::freeSurfaceFlow::freeSurfaceFlow(dynamicFvMesh& mesh)
 
 void Foam::freeSurfaceFlow::check() const
 {
-    if (composite_)
-    {
-        composite_->checkDonors();
-    }
-
+    composite_.checkDonors();
     if (body_)
     {
-        body_->check
-        (
-            composite_ ? composite_->backgroundBounds() : mesh_.bounds()
-        );
+        body_->check(composite_.backgroundBounds());
     }
-
-    if (composite_)
-    {
-        composite_->checkHoles();
-    }
+    composite_.checkHoles();
 
     checkBoundaryLayer();
 
     if (scene_.potentialStart() && !body_)
     {
-        FatalIOErrorInFunction(scene_.dict())
-            << "Entry initialFlow is potential, but the scene has no body"
-            << nl << "Expected: fields." << exit(FatalIOError);
+        refuseEntry(scene_.dict(), "initialFlow", "is potential, but the scene has no body", "fields.");
     }
 
     if (fv::localEulerDdt::enabled(mesh_))
     {
-        FatalIOErrorInFunction(mesh_.schemesDict().subDict("ddtSchemes"))
-            << "Entry default is localEuler" << nl
-            << "Expected: a scheme that is accurate in time."
-            << exit(FatalIOError);
+        refuseEntry
+        (
+            mesh_.schemesDict().subDict("ddtSchemes"),
+            "default",
+            "is localEuler",
+            "a scheme that is accurate in time."
+        );
     }
 
     const dictionary& dict = pimple_.dict();
     if (dict.lookupOrDefault<bool>("massFluxInterpolation", false))
     {
-        FatalIOErrorInFunction(dict)
-            << "Entry massFluxInterpolation is on" << nl
-            << "Expected: off, the only choice." << exit(FatalIOError);
+        refuseEntry(dict, "massFluxInterpolation", "is on", "off, the only choice.");
     }
 
     if (time_.controlDict().lookupOrDefault<bool>("adjustTimeStep", false))
     {
         for (const word name : {"maxCo", "maxAlphaCo"})
         {
-            if (!(time_.controlDict().get<scalar>(name) > 0))
-            {
-                FatalIOErrorInFunction(time_.controlDict())
-                    << "Entry " << name << " is "
-                    << time_.controlDict().get<scalar>(name) << nl
-                    << "Expected: a positive Courant number."
-                    << exit(FatalIOError);
-            }
+            readPositive(time_.controlDict(), name, "a positive Courant number.");
         }
     }
 }
@@ -329,7 +263,8 @@ Foam::freeSurfaceFlow::meshControls Foam::freeSurfaceFlow::controls() const
     c.moveMeshOuterCorrectors =
         dict.lookupOrDefault("moveMeshOuterCorrectors", false);
     c.ddtCorr = dict.lookupOrDefault("ddtCorr", true);
-    c.oversetAdjustPhi = dict.lookupOrDefault("oversetAdjustPhi", false);
+    c.oversetAdjustPhi =
+        composite_.isOverset() && dict.lookupOrDefault("oversetAdjustPhi", false);
     return c;
 }
 

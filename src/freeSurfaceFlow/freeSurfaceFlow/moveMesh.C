@@ -19,15 +19,11 @@ void Foam::freeSurfaceFlow::moveMesh()
         addedMass_->solve(rho_, p_rgh_, potentialTypes(), pimple_.nNonOrthCorr());
     }
 
-    // An overset mesh changes fields as it moves: take their old values first,
-    // in the first step of a run as in every other
-    if (composite_)
+    // Of the first step of a run as of every other
+    composite_.storeOldTimes(U_, rho_, mixture_.alpha1(), mixture_.alpha2());
+    if (Uf_)
     {
-        U_.oldTime();
-        Uf_().oldTime();
-        rho_.oldTime();
-        mixture_.alpha1().oldTime();
-        mixture_.alpha2().oldTime();
+        composite_.storeOldTimes(Uf_());
     }
     mesh_.update();
 
@@ -47,37 +43,17 @@ void Foam::freeSurfaceFlow::moveMesh()
     }
     MRF_.update();
 
-    if (composite_)
+    composite_.update();
+    if (composite_.isOverset() || c.correctPhi)
     {
-        composite_->update();
-
-        // Faces that were inside holes have no velocity of their own yet
-        surfaceVectorField& Uf = Uf_();
-        const surfaceVectorField Uint(fvc::interpolate(U_));
-        const surfaceScalarField& old = composite_->faceMaskOld();
-        Uf = old*Uf + (scalar(1) - old)*Uint;
-        forAll(Uf.boundaryField(), patchi)
-        {
-            // Faces between processors are faces inside the mesh
-            if (!Uf.boundaryField()[patchi].coupled())
-            {
-                Uf.boundaryFieldRef()[patchi] = Uint.boundaryField()[patchi];
-            }
-        }
-
-        phi_ = mesh_.Sf() & Uf;
+        composite_.setUncovered(Uf_(), U_);
+        phi_ = mesh_.Sf() & Uf_();
         if (c.correctPhi)
         {
             projectFlux();
         }
-        phi_ *= composite_->faceMask();
-        U_ *= composite_->cellMask();
-        fvc::makeRelative(phi_, U_);
-    }
-    else if (c.correctPhi)
-    {
-        phi_ = mesh_.Sf() & Uf_();
-        projectFlux();
+        composite_.mask(phi_);
+        composite_.mask(U_);
         fvc::makeRelative(phi_, U_);
     }
 }

@@ -49,11 +49,7 @@ void Foam::freeSurfaceFlow::predictMomentum()
     );
     fvVectorMatrix& UEqn = UEqn_.ref();
 
-    if (composite_)
-    {
-        // Mass is not conserved in the fringe: take out what it would drag in
-        UEqn -= fvm::Sp(fvc::ddt(rho_) + fvc::div(rhoPhi_), U_);
-    }
+    composite_.takeOutMassError(UEqn, rho_, rhoPhi_);
 
     UEqn.relax();
     fvOptions_.constrain(UEqn);
@@ -76,10 +72,7 @@ void Foam::freeSurfaceFlow::predictMomentum()
         force.dimensions(),
         reconstruct(mesh_.Sf(), force)
     );
-    if (composite_)
-    {
-        source *= composite_->cellMask()();
-    }
+    composite_.mask(source);
     solve(UEqn == source);
     fvOptions_.correct(U_);
 }

@@ -30,7 +30,7 @@ Foam::wordList Foam::freeSurfaceFlow::potentialTypes() const
 
 void Foam::freeSurfaceFlow::projectFlux()
 {
-    if (!composite_)
+    if (!composite_.isOverset())
     {
         const dimensionedScalar one("one", dimTime/dimDensity, 1);
         if (rAU_.valid())
@@ -79,7 +79,7 @@ void Foam::freeSurfaceFlow::projectFlux()
             fvm::laplacian(dimensionedScalar("one", dimTime/dimDensity, 1), pcorr)
          == fvc::div(phi_)
         );
-        composite_->setReferences(pcorrEqn);
+        composite_.setReferences(pcorrEqn);
 
         // fvMesh's own: without the interpolation between the zones
         mesh_.fvMesh::solve
@@ -135,10 +135,7 @@ void Foam::freeSurfaceFlow::startImpulsively()
         }
     }
 
-    if (composite_)
-    {
-        U_ *= composite_->cellMask();
-    }
+    composite_.mask(U_);
     U_.correctBoundaryConditions();
     correctUf();
     printContinuityError();

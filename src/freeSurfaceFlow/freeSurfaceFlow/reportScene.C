@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "freeSurfaceFlow.H"
+#include "inputChecks.H"
 #include "surfaceTensionModel.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -37,19 +38,9 @@ void Foam::freeSurfaceFlow::referenceScales
     if (scene_.dict().found("reference"))
     {
         const dictionary& reference = scene_.dict().subDict("reference");
-        length = reference.get<scalar>("length");
-        speed = reference.get<scalar>("speed");
+        length = readPositive(reference, "length", "a positive length [m].");
+        speed = readPositive(reference, "speed", "a positive speed [m/s].");
         origin = "from constant/sceneProperties";
-        for (const scalar x : {length, speed})
-        {
-            if (!(x > 0))
-            {
-                FatalIOErrorInFunction(reference)
-                    << "Entry length or speed is " << x << nl
-                    << "Expected: positive values [m], [m/s]."
-                    << exit(FatalIOError);
-            }
-        }
     }
 }
 

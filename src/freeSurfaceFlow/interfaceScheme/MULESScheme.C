@@ -8,6 +8,7 @@
 #include "fvc.H"
 #include "fvm.H"
 #include "gaussConvectionScheme.H"
+#include "inputChecks.H"
 #include "upwind.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -55,11 +56,13 @@ Foam::scalar Foam::interfaceSchemes::MULES::offCentring() const
     {
         if (controls().get<label>("nAlphaSubCycles") > 1)
         {
-            FatalIOErrorInFunction(controls())
-                << "Entry nAlphaSubCycles is "
-                << controls().get<label>("nAlphaSubCycles") << nl
-                << "Expected: 1 with the CrankNicolson time scheme."
-                << exit(FatalIOError);
+            refuseEntry
+            (
+                controls(),
+                "nAlphaSubCycles",
+                text("is ", controls().get<label>("nAlphaSubCycles")),
+                "1 with the CrankNicolson time scheme."
+            );
         }
 
         // The first step has no old flux to blend with
@@ -73,10 +76,12 @@ Foam::scalar Foam::interfaceSchemes::MULES::offCentring() const
           : 0;
     }
 
-    FatalIOErrorInFunction(mesh_.schemesDict().subDict("ddtSchemes"))
-        << "Entry ddt(alpha) (or default) is " << scheme().type() << nl
-        << "Expected: Euler or CrankNicolson for the interface scheme MULES."
-        << exit(FatalIOError);
+    refuse
+    (
+        mesh_.schemesDict().subDict("ddtSchemes"),
+        text("Entry ddt(alpha) (or default) is ", scheme().type()),
+        "Euler or CrankNicolson for the interface scheme MULES."
+    );
     return 0;
 }
 
@@ -161,7 +166,7 @@ void Foam::interfaceSchemes::MULES::predict
             upwind<scalar>(mesh_, phi)
         ).fvmDiv(phi, alpha1_)
     );
-    if (f_.composite)
+    if (f_.composite.isOverset())
     {
         eqn -= fvm::Sp(absoluteDivergence(phi)(), alpha1_);
     }
@@ -262,7 +267,7 @@ void Foam::interfaceSchemes::MULES::advance()
         {
             alphaPhi_ = tunbounded;
 
-            if (f_.composite)
+            if (f_.composite.isOverset())
             {
                 const volScalarField::Internal divU(absoluteDivergence(phi));
                 Foam::MULES::explicitSolve

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "interfaceScheme.H"
+#include "inputChecks.H"
 #include "isoAdvectorScheme.H"
+#include "restart.H"
 #include "fvc.H"
 #include "subCycle.H"
 
@@ -24,14 +26,7 @@ Foam::interfaceScheme::interfaceScheme(const fields& f)
     alpha2_(f.mixture.alpha2()),
     alphaPhi_
     (
-        IOobject
-        (
-            IOobject::groupName("alphaPhi0", alpha1_.group()),
-            mesh_.time().timeName(),
-            mesh_,
-            IOobject::READ_IF_PRESENT,
-            IOobject::AUTO_WRITE
-        ),
+        restart::field(IOobject::groupName("alphaPhi0", alpha1_.group()), mesh_),
         f.phi*fvc::interpolate(alpha1_)
     )
 {}
@@ -47,11 +42,13 @@ Foam::autoPtr<Foam::interfaceScheme> Foam::interfaceScheme::New
     const auto constructor = dictionaryConstructorTablePtr_->cfind(name);
     if (!constructor.found())
     {
-        FatalIOErrorInFunction(sceneDict)
-            << "Entry interface is " << name << nl
-            << "Expected: one of "
-            << dictionaryConstructorTablePtr_->sortedToc()
-            << exit(FatalIOError);
+        refuseEntry
+        (
+            sceneDict,
+            "interface",
+            text("is ", name),
+            text("one of ", dictionaryConstructorTablePtr_->sortedToc())
+        );
     }
     return constructor()(f);
 }

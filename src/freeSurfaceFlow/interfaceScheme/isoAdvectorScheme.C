@@ -23,7 +23,7 @@ Foam::interfaceSchemes::isoAdvector::isoAdvector(const fields& f)
     interfaceScheme(f),
     advector_(alpha1_, f.phi, f.U)
 {
-    if (f.composite)
+    if (f.composite.isOverset())
     {
         FatalErrorInFunction
             << "constant/sceneProperties: entry interface is " << typeName

@@ -3,24 +3,12 @@
 #include "scene.H"
 #include "bodyMotion.H"
 #include "dynamicOversetFvMesh.H"
+#include "inputChecks.H"
 #include "staticFvMesh.H"
 #include "Switch.H"
 #include "turbulenceModel.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
-
-const Foam::Enum<Foam::scene::bodyType> Foam::scene::bodyTypeNames
-({
-    { bodyType::none, "none" },
-    { bodyType::sixDoF, "sixDoF" },
-});
-
-const Foam::Enum<Foam::scene::motionType> Foam::scene::motionTypeNames
-({
-    { motionType::none, "none" },
-    { motionType::motion, "motion" },
-    { motionType::overset, "overset" },
-});
 
 const Foam::Enum<Foam::scene::initialFlowType>
 Foam::scene::initialFlowTypeNames
@@ -52,16 +40,14 @@ namespace
 
 using namespace Foam;
 
-scene::motionType motionOf(const fvMesh& mesh)
+//- How it moves, by dynamicFvMesh in constant/dynamicMeshDict
+word motionOf(const fvMesh& mesh)
 {
     if (isA<dynamicOversetFvMesh>(mesh))
     {
-        return scene::motionType::overset;
+        return "overset";
     }
-    return
-        isA<staticFvMesh>(mesh) || !isA<dynamicFvMesh>(mesh)
-      ? scene::motionType::none
-      : scene::motionType::motion;
+    return isA<staticFvMesh>(mesh) || !isA<dynamicFvMesh>(mesh) ? "none" : "motion";
 }
 
 
@@ -87,65 +73,22 @@ scene::boundaryLayerType boundaryLayerOf(const dictionary& dict)
 {
     if (dict.isDict("boundaryLayer"))
     {
-        FatalIOErrorInFunction(dict)
-            << "Entry boundaryLayer is a dictionary" << nl
-            << "Expected: one of "
-            << scene::boundaryLayerTypeNames.sortedToc()
-            << "; what a friction line takes is in frictionLineCoeffs."
-            << exit(FatalIOError);
+        refuseEntry
+        (
+            dict,
+            "boundaryLayer",
+            "is a dictionary",
+            text
+            (
+                "one of ", scene::boundaryLayerTypeNames.sortedToc(),
+                "; what a friction line takes is in frictionLineCoeffs."
+            )
+        );
     }
-    return scene::boundaryLayerTypeNames.lookupOrDefault
-    (
-        "boundaryLayer",
-        dict,
-        scene::boundaryLayerType::unstated
-    );
+    return readChoice(scene::boundaryLayerTypeNames, dict, "boundaryLayer", scene::boundaryLayerType::unstated);
 }
 
 } // End anonymous namespace
-
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-void Foam::scene::checkKeywords() const
-{
-    const wordHashSet known
-    ({
-        "FoamFile", "body", "meshMotion", "compressibility", "gravity",
-        "surfaceTension", "boundaryLayer", "frictionLineCoeffs", "interface",
-        "initialFlow", "fringe", "ambientPressure", "reference"
-    });
-
-    for (const entry& e : dict_)
-    {
-        if (!known.found(e.keyword()))
-        {
-            FatalIOErrorInFunction(dict_)
-                << "Unknown entry " << e.keyword() << nl
-                << "Expected: any of " << known.sortedToc()
-                << exit(FatalIOError);
-        }
-    }
-}
-
-
-template<class Type>
-void Foam::scene::checkAgrees
-(
-    const word& entry,
-    const Type& asked,
-    const Type& present,
-    const char* where
-) const
-{
-    if (asked != present)
-    {
-        FatalIOErrorInFunction(dict_)
-            << "Entry " << entry << " is " << asked << ", but " << where
-            << " makes it " << present << nl
-            << "Expected: the two to agree." << exit(FatalIOError);
-    }
-}
 
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -163,50 +106,37 @@ Foam::scene::scene(const fvMesh& mesh)
             IOobject::NO_WRITE
         )
     ),
-    body_(bodyMotion::found(mesh) ? bodyType::sixDoF : bodyType::none),
+    hasBody_(bodyMotion::found(mesh)),
     meshMotion_(motionOf(mesh)),
     gravity_(dict_.lookupOrDefault<Switch>("gravity", true)),
     surfaceTension_(dict_.lookupOrDefault<Switch>("surfaceTension", true)),
     boundaryLayer_(boundaryLayerOf(dict_)),
     simulationType_(simulationType(mesh)),
     interface_(dict_.lookupOrDefault<word>("interface", "MULES")),
-    initialFlow_
-    (
-        initialFlowTypeNames.lookupOrDefault
-        (
-            "initialFlow",
-            dict_,
-            initialFlowType::fields
-        )
-    ),
-    fringe_
-    (
-        fringeTypeNames.lookupOrDefault
-        (
-            "fringe",
-            dict_,
-            fringeType::interpolated
-        )
-    )
+    initialFlow_(readChoice(initialFlowTypeNames, dict_, "initialFlow", initialFlowType::fields)),
+    fringe_(readChoice(fringeTypeNames, dict_, "fringe", fringeType::interpolated))
 {
-    checkKeywords();
-
-    checkAgrees
+    for (const word entry : {"body", "meshMotion", "compressibility"})
+    {
+        if (dict_.found(entry))
+        {
+            refuseEntry
+            (
+                dict_,
+                entry,
+                "is given",
+                "no such entry: the body and the motion of the mesh follow from constant/dynamicMeshDict, and both fluids are"
+                " incompressible."
+            );
+        }
+    }
+    checkKeywords
     (
-        "body",
-        bodyTypeNames[bodyTypeNames.lookupOrDefault("body", dict_, body_)],
-        bodyTypeNames[body_],
-        "the motion solver of constant/dynamicMeshDict"
-    );
-    checkAgrees
-    (
-        "meshMotion",
-        motionTypeNames
-        [
-            motionTypeNames.lookupOrDefault("meshMotion", dict_, meshMotion_)
-        ],
-        motionTypeNames[meshMotion_],
-        "dynamicFvMesh in constant/dynamicMeshDict"
+        dict_,
+        {
+            "FoamFile", "gravity", "surfaceTension", "boundaryLayer", "frictionLineCoeffs", "interface", "initialFlow",
+            "fringe", "ambientPressure", "reference"
+        }
     );
     if
     (
@@ -214,36 +144,27 @@ Foam::scene::scene(const fvMesh& mesh)
      && turbulence() != (boundaryLayer_ == boundaryLayerType::wallFunction)
     )
     {
-        FatalIOErrorInFunction(dict_)
-            << "Entry boundaryLayer is "
-            << boundaryLayerTypeNames[boundaryLayer_]
-            << ", but simulationType in constant/turbulenceProperties is "
-            << simulationType_ << nl
-            << "Expected: simulationType "
-            << (turbulence() ? "laminar" : "RAS or LES")
-            << ", or boundaryLayer "
-            << (turbulence() ? "wallFunction." : "laminar, frictionLine or none.")
-            << exit(FatalIOError);
+        refuseEntry
+        (
+            dict_,
+            "boundaryLayer",
+            text
+            (
+                "is ", boundaryLayerTypeNames[boundaryLayer_],
+                ", but simulationType in constant/turbulenceProperties is ", simulationType_
+            ),
+            text
+            (
+                "simulationType ", (turbulence() ? "laminar" : "RAS or LES"), ", or boundaryLayer ",
+                (turbulence() ? "wallFunction." : "laminar, frictionLine or none.")
+            )
+        );
     }
     transitionReynolds();
 
-    if (conservesFringe() && meshMotion_ != motionType::overset)
+    if (conservesFringe() && meshMotion_ != "overset")
     {
-        FatalIOErrorInFunction(dict_)
-            << "Entry fringe is conserved, but the mesh is not overset" << nl
-            << "Expected: no entry fringe." << exit(FatalIOError);
-    }
-
-    const word compressibility
-    (
-        dict_.lookupOrDefault<word>("compressibility", "none")
-    );
-    if (compressibility != "none")
-    {
-        FatalIOErrorInFunction(dict_)
-            << "Entry compressibility is " << compressibility << nl
-            << "Expected: none, the only choice so far."
-            << exit(FatalIOError);
+        refuseEntry(dict_, "fringe", "is conserved, but the mesh is not overset", "no entry fringe.");
     }
 }
 
@@ -254,29 +175,26 @@ Foam::scalar Foam::scene::transitionReynolds() const
 {
     if (dict_.found("frictionLineCoeffs") && !dict_.isDict("frictionLineCoeffs"))
     {
-        FatalIOErrorInFunction(dict_)
-            << "Entry frictionLineCoeffs is no dictionary" << nl
-            << "Expected: { transitionReynolds 5e5; patches (body); }, each"
-            << " optional." << exit(FatalIOError);
+        refuseEntry
+        (
+            dict_,
+            "frictionLineCoeffs",
+            "is no dictionary",
+            "{ transitionReynolds 5e5; patches (body); }, each optional."
+        );
     }
     const dictionary coeffs(dict_.subOrEmptyDict("frictionLineCoeffs"));
-    for (const entry& e : coeffs)
-    {
-        if (e.keyword() != "transitionReynolds" && e.keyword() != "patches")
-        {
-            FatalIOErrorInFunction(dict_.subDict("frictionLineCoeffs"))
-                << "Unknown entry " << e.keyword() << nl
-                << "Expected: transitionReynolds or patches."
-                << exit(FatalIOError);
-        }
-    }
+    checkKeywords(coeffs, {"transitionReynolds", "patches"});
     const scalar Re = coeffs.lookupOrDefault<scalar>("transitionReynolds", 5e5);
     if (!(Re >= 0))
     {
-        FatalIOErrorInFunction(dict_.subDict("frictionLineCoeffs"))
-            << "Entry transitionReynolds is " << Re << nl
-            << "Expected: 0, for a layer that is turbulent throughout, or a"
-            << " positive number." << exit(FatalIOError);
+        refuseEntry
+        (
+            dict_.subDict("frictionLineCoeffs"),
+            "transitionReynolds",
+            text("is ", Re),
+            "0, for a layer that is turbulent throughout, or a positive number."
+        );
     }
     return Re;
 }
@@ -286,8 +204,8 @@ void Foam::scene::print(Ostream& os) const
 {
     auto onOff = [](const bool b) { return b ? "on" : "off"; };
 
-    os  << "body " << bodyTypeNames[body_]
-        << ", mesh motion " << motionTypeNames[meshMotion_]
+    os  << "body " << (hasBody_ ? "sixDoF" : "none")
+        << ", mesh motion " << meshMotion_
         << ", interface " << interface_
         << ", gravity " << onOff(gravity_)
         << ", surface tension " << onOff(surfaceTension_)
@@ -302,7 +220,7 @@ void Foam::scene::print(Ostream& os) const
         os  << ", turbulence " << simulationType_;
     }
     os  << ", initial flow " << initialFlowTypeNames[initialFlow_];
-    if (meshMotion_ == motionType::overset)
+    if (meshMotion_ == "overset")
     {
         os  << ", fringe " << fringeTypeNames[fringe_];
     }

@@ -3,7 +3,9 @@
 #include "compositeMesh.H"
 #include "cellCellStencilObject.H"
 #include "dynamicOversetFvMesh.H"
-#include "fvScalarMatrix.H"
+#include "fvc.H"
+#include "fvm.H"
+#include "fvMatrices.H"
 #include "localMin.H"
 #include "mapDistribute.H"
 #include "oversetFvPatch.H"
@@ -38,70 +40,47 @@ void exchange(const fvMesh& mesh)
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::compositeMesh::compositeMesh(const fvMesh& mesh)
+Foam::compositeMesh::masks::masks(const fvMesh& mesh)
 :
-    mesh_(mesh),
-    cellMask_
+    cell
     (
-        IOobject
-        (
-            "cellMask",
-            mesh.time().timeName(),
-            mesh,
-            IOobject::NO_READ,
-            IOobject::NO_WRITE,
-            false
-        ),
+        IOobject("cellMask", mesh.time().timeName(), mesh, IOobject::NO_READ, IOobject::NO_WRITE, false),
         mesh,
         dimensionedScalar("one", dimless, 1),
         zeroGradientFvPatchScalarField::typeName
     ),
-    faceMask_
+    face
     (
-        IOobject
-        (
-            "faceMask",
-            mesh.time().timeName(),
-            mesh,
-            IOobject::NO_READ,
-            IOobject::NO_WRITE,
-            false
-        ),
+        IOobject("faceMask", mesh.time().timeName(), mesh, IOobject::NO_READ, IOobject::NO_WRITE, false),
         mesh,
         dimensionedScalar("one", dimless, 1)
     ),
-    faceMaskOld_
+    faceOld
     (
-        IOobject
-        (
-            "faceMaskOld",
-            mesh.time().timeName(),
-            mesh,
-            IOobject::NO_READ,
-            IOobject::NO_WRITE,
-            false
-        ),
-        faceMask_
+        IOobject("faceMaskOld", mesh.time().timeName(), mesh, IOobject::NO_READ, IOobject::NO_WRITE, false),
+        face
     )
+{}
+
+
+Foam::compositeMesh::compositeMesh(const fvMesh& mesh)
+:
+    mesh_(mesh),
+    masks_(isA<dynamicOversetFvMesh>(mesh) ? new masks(mesh) : nullptr)
 {
+    if (!isOverset())
+    {
+        return;
+    }
+
     // The mesh loads its stencil, but fills it only when it first moves
     const_cast<cellCellStencilObject&>(Stencil::New(mesh_)).update();
 
-    doNotInterpolate({cellMask_.name()});
+    doNotInterpolate({masks_->cell.name()});
     setCellMask();
-    cellMask_.oldTime();
-    faceMask_ = localMin<scalar>(mesh_).interpolate(cellMask_);
-    faceMaskOld_ = faceMask_;
-}
-
-
-Foam::autoPtr<Foam::compositeMesh> Foam::compositeMesh::New(const fvMesh& mesh)
-{
-    if (isA<dynamicOversetFvMesh>(mesh))
-    {
-        return autoPtr<compositeMesh>::New(mesh);
-    }
-    return nullptr;
+    masks_->cell.oldTime();
+    masks_->face = localMin<scalar>(mesh_).interpolate(masks_->cell);
+    masks_->faceOld = masks_->face;
 }
 
 
@@ -110,17 +89,97 @@ Foam::autoPtr<Foam::compositeMesh> Foam::compositeMesh::New(const fvMesh& mesh)
 void Foam::compositeMesh::setCellMask()
 {
     const labelUList& types = Stencil::New(mesh_).cellTypes();
-    scalarField& mask = cellMask_.primitiveFieldRef();
+    scalarField& mask = masks_->cell.primitiveFieldRef();
 
     forAll(mask, celli)
     {
         mask[celli] = (types[celli] == cellCellStencil::HOLE ? 0 : 1);
     }
-    cellMask_.correctBoundaryConditions();
+    masks_->cell.correctBoundaryConditions();
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::compositeMesh::mask(volVectorField& field) const
+{
+    if (isOverset())
+    {
+        field *= masks_->cell;
+    }
+}
+
+
+void Foam::compositeMesh::mask(volVectorField::Internal& field) const
+{
+    if (isOverset())
+    {
+        field *= masks_->cell();
+    }
+}
+
+
+void Foam::compositeMesh::mask(surfaceScalarField& field) const
+{
+    if (isOverset())
+    {
+        field *= masks_->face;
+    }
+}
+
+
+Foam::tmp<Foam::surfaceScalarField> Foam::compositeMesh::masked(const surfaceScalarField& field) const
+{
+    if (isOverset())
+    {
+        return masks_->face*field;
+    }
+    return field;
+}
+
+
+void Foam::compositeMesh::maskCalculated(scalarField& field) const
+{
+    if (isOverset())
+    {
+        field *= calculatedCells();
+    }
+}
+
+
+void Foam::compositeMesh::setUncovered(surfaceVectorField& Uf, const volVectorField& U) const
+{
+    if (!isOverset())
+    {
+        return;
+    }
+    const surfaceVectorField Uint(fvc::interpolate(U));
+    const surfaceScalarField& old = masks_->faceOld;
+    Uf = old*Uf + (scalar(1) - old)*Uint;
+    forAll(Uf.boundaryField(), patchi)
+    {
+        // Faces between processors are faces inside the mesh
+        if (!Uf.boundaryField()[patchi].coupled())
+        {
+            Uf.boundaryFieldRef()[patchi] = Uint.boundaryField()[patchi];
+        }
+    }
+}
+
+
+void Foam::compositeMesh::takeOutMassError
+(
+    fvVectorMatrix& UEqn,
+    const volScalarField& rho,
+    const surfaceScalarField& rhoPhi
+) const
+{
+    if (isOverset())
+    {
+        UEqn -= fvm::Sp(fvc::ddt(rho) + fvc::div(rhoPhi), UEqn.psi());
+    }
+}
+
 
 Foam::tmp<Foam::scalarField> Foam::compositeMesh::calculatedCells() const
 {
@@ -171,6 +230,10 @@ Foam::tmp<Foam::scalarField> Foam::compositeMesh::donorCells() const
 
 const Foam::labelList& Foam::compositeMesh::zoneID() const
 {
+    if (!isOverset())
+    {
+        return labelList::null();
+    }
     return cellCellStencil::zoneID(mesh_);
 }
 
@@ -183,6 +246,10 @@ Foam::label Foam::compositeMesh::nZones() const
 
 Foam::boundBox Foam::compositeMesh::backgroundBounds() const
 {
+    if (!isOverset())
+    {
+        return mesh_.bounds();
+    }
     const labelList& zones = zoneID();
     boundBox box;
     forAll(zones, celli)
@@ -199,6 +266,10 @@ Foam::boundBox Foam::compositeMesh::backgroundBounds() const
 
 void Foam::compositeMesh::doNotInterpolate(const wordList& fieldNames) const
 {
+    if (!isOverset())
+    {
+        return;
+    }
     // The stencil offers its list only as const through the mesh object
     const_cast<wordHashSet&>
     (
@@ -209,6 +280,11 @@ void Foam::compositeMesh::doNotInterpolate(const wordList& fieldNames) const
 
 void Foam::compositeMesh::update()
 {
+    if (!isOverset())
+    {
+        return;
+    }
+
     // The mesh has interpolated the fields' cells alone
     if (Pstream::parRun())
     {
@@ -217,8 +293,8 @@ void Foam::compositeMesh::update()
     }
 
     setCellMask();
-    faceMask_ = localMin<scalar>(mesh_).interpolate(cellMask_);
-    faceMaskOld_ = localMin<scalar>(mesh_).interpolate(cellMask_.oldTime());
+    masks_->face = localMin<scalar>(mesh_).interpolate(masks_->cell);
+    masks_->faceOld = localMin<scalar>(mesh_).interpolate(masks_->cell.oldTime());
 }
 
 
@@ -263,6 +339,11 @@ void Foam::compositeMesh::setReferences(fvScalarMatrix& eqn) const
 
 void Foam::compositeMesh::checkHoles() const
 {
+    if (!isOverset())
+    {
+        return;
+    }
+
     const labelUList& types = Stencil::New(mesh_).cellTypes();
     const labelList& zones = zoneID();
     const pointField& C = mesh_.cellCentres();
@@ -310,6 +391,11 @@ void Foam::compositeMesh::checkHoles() const
 
 void Foam::compositeMesh::checkDonors() const
 {
+    if (!isOverset())
+    {
+        return;
+    }
+
     const labelUList& types = Stencil::New(mesh_).cellTypes();
     const labelList& zones = zoneID();
 

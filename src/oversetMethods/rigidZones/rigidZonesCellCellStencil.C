@@ -3,6 +3,7 @@
 #include "rigidZonesCellCellStencil.H"
 #include "addToRunTimeSelectionTable.H"
 #include "CPCCellToCellStencil.H"
+#include "inputChecks.H"
 #include "oversetFvPatch.H"
 #include "PstreamBuffers.H"
 #include "syncTools.H"
@@ -31,10 +32,7 @@ label readLayers(const dictionary& dict)
     const label layers = dict.lookupOrDefault<label>("layers", 1);
     if (layers < 1)
     {
-        FatalIOErrorInFunction(dict)
-            << "Entry layers is " << layers << nl
-            << "Expected: one or more layers of acceptors."
-            << exit(FatalIOError);
+        refuseEntry(dict, "layers", text("is ", layers), "one or more layers of acceptors.");
     }
     return layers;
 }

@@ -3,7 +3,7 @@
 #include "plungeEvent.H"
 #include "addToRunTimeSelectionTable.H"
 #include "gravityMeshObject.H"
-#include "unfinishedTime.H"
+#include "restart.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -90,7 +90,7 @@ bool Foam::functionObjects::plungeEvent::execute()
         event_->end(time);
         if (!time.writeTime())
         {
-            const unfinishedTime mark(time, true);
+            const restart::unfinishedTime mark(time, true);
             time.writeNow();
         }
     }

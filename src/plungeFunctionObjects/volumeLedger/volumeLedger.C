@@ -2,6 +2,7 @@
 
 #include "volumeLedger.H"
 #include "addToRunTimeSelectionTable.H"
+#include "inputChecks.H"
 #include "surfaceFields.H"
 #include "volFields.H"
 
@@ -110,12 +111,7 @@ bool Foam::functionObjects::volumeLedger::read(const dictionary& dict)
     for (const auto& e : {std::make_pair("bodyVolume", bodyVolume_),
                           std::make_pair("interval", scalar(interval_))})
     {
-        if (!(e.second > 0))
-        {
-            FatalIOErrorInFunction(dict)
-                << "Entry " << e.first << " is " << e.second << nl
-                << "Expected: a positive value." << exit(FatalIOError);
-        }
+        checkPositive(dict, e.first, e.second);
     }
     return true;
 }

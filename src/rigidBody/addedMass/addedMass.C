@@ -3,6 +3,7 @@
 #include "addedMass.H"
 #include "addedMassTensor.H"
 #include "addToRunTimeSelectionTable.H"
+#include "inputChecks.H"
 #include "scalarMatrices.H"
 #include "uniformDimensionedFields.H"
 
@@ -39,10 +40,7 @@ vector readEstimate(const dictionary& dict, const word& name)
     const vector estimate(dict.get<vector>(name));
     if (cmptMin(estimate) < 0)
     {
-        FatalIOErrorInFunction(dict)
-            << "Entry " << name << " is " << estimate << nl
-            << "Expected: three values that are not negative."
-            << exit(FatalIOError);
+        refuseEntry(dict, name, text("is ", estimate), "three values that are not negative.");
     }
     return estimate;
 }
@@ -83,9 +81,12 @@ Foam::SquareMatrix<Foam::scalar> Foam::sixDoFSolvers::addedMass::estimate(const 
     auto* computed = body_.time().getObjectPtr<addedMassTensor>(addedMassTensor::registryName);
     if (!computed)
     {
-        FatalIOErrorInFunction(dict_)
-            << "Entries addedMass and addedInertia are not there, and this solver does not compute them" << nl
-            << "Expected: both, or plungeFoam." << exit(FatalIOError);
+        refuse
+        (
+            dict_,
+            "Entries addedMass and addedInertia are not there, and this solver does not compute them",
+            "both, or plungeFoam."
+        );
     }
     computed->setFree(isFree);
     return computed->tensor();

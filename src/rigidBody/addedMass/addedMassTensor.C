@@ -3,6 +3,7 @@
 #include "addedMassTensor.H"
 #include "fvc.H"
 #include "fvm.H"
+#include "inputChecks.H"
 #include "profiling.H"
 
 const Foam::word Foam::addedMassTensor::registryName("addedMass");
@@ -47,9 +48,7 @@ Foam::addedMassTensor::addedMassTensor(const fvMesh& mesh, const bodyMotion& bod
 {
     if (interval_ < 1)
     {
-        FatalIOErrorInFunction(body.integrator())
-            << "Entry interval is " << interval_ << nl
-            << "Expected: 1 or more time steps." << exit(FatalIOError);
+        refuseEntry(body.integrator(), "interval", text("is ", interval_), "1 or more time steps.");
     }
     if (found("tensor"))
     {

@@ -3,6 +3,7 @@
 #include "bodyCoefficients.H"
 
 #include "diagTensor.H"
+#include "inputChecks.H"
 #include "tensor.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -37,31 +38,19 @@ bool isRotationConstrained(const dictionary& coefficients)
 
 void Foam::checkBodyCoefficients(const dictionary& coefficients)
 {
-    const scalar mass = coefficients.get<scalar>("mass");
-    if (!(mass > 0))
-    {
-        FatalIOErrorInFunction(coefficients)
-            << "Entry mass is " << mass << nl
-            << "Expected: a positive mass [kg]." << exit(FatalIOError);
-    }
+    readPositive(coefficients, "mass", "a positive mass [kg].");
 
     const diagTensor I(coefficients.get<diagTensor>("momentOfInertia"));
     if (!(min(min(I.xx(), I.yy()), I.zz()) > 0))
     {
-        FatalIOErrorInFunction(coefficients)
-            << "Entry momentOfInertia is " << I << nl
-            << "Expected: three positive moments of inertia [kg m^2]."
-            << exit(FatalIOError);
+        refuseEntry(coefficients, "momentOfInertia", text("is ", I), "three positive moments of inertia [kg m^2].");
     }
 
     // Room for a rotation that is written with few digits
     const tensor Q(coefficients.lookupOrDefault("orientation", tensor::I));
     if (!(mag((Q & Q.T()) - tensor::I) < 1e-3 && det(Q) > 0))
     {
-        FatalIOErrorInFunction(coefficients)
-            << "Entry orientation is " << Q << nl
-            << "Expected: a rotation, with the body's axes as columns."
-            << exit(FatalIOError);
+        refuseEntry(coefficients, "orientation", text("is ", Q), "a rotation, with the body's axes as columns.");
     }
 
     const scalar damping =
@@ -80,9 +69,13 @@ void Foam::checkBodyCoefficients(const dictionary& coefficients)
     {
         if (integrator == "prescribed" && coefficients.subOrEmptyDict(entry).size())
         {
-            FatalIOErrorInFunction(coefficients)
-                << "Entry " << entry << " is given, but solver prescribed keeps the velocity and the spin of the start" << nl
-                << "Expected: no " << entry << ", or another solver." << exit(FatalIOError);
+            refuseEntry
+            (
+                coefficients,
+                entry,
+                "is given, but solver prescribed keeps the velocity and the spin of the start",
+                text("no ", entry, ", or another solver.")
+            );
         }
     }
     if

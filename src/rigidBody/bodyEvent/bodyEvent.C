@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "bodyEvent.H"
+#include "inputChecks.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -26,16 +27,9 @@ constexpr Foam::scalar restingShare = 0.01;
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::bodyEvent::bodyEvent(const dictionary& dict, const word& entry)
-{
-    const word name(dict.get<word>(entry));
-    if (!names.found(name))
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry " << entry << " is " << name << nl
-            << "Expected: one of " << names.sortedToc() << exit(FatalIOError);
-    }
-    kind_ = names[name];
-}
+:
+    kind_(readChoice(names, dict, entry))
+{}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

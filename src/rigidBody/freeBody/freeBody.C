@@ -5,6 +5,7 @@
 #include "bodyCoefficients.H"
 #include "dimensionedVector.H"
 #include "fluidSelection.H"
+#include "inputChecks.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -28,16 +29,14 @@ const wordHashSet keywords
 //- The coefficients, checked, and without a report of every step
 dictionary checked(const dictionary& coefficients)
 {
-    titan::checkKeywords(coefficients, keywords);
+    checkKeywords(coefficients, keywords);
     checkBodyCoefficients(coefficients);
 
     const scalar relaxation =
         coefficients.lookupOrDefault<scalar>("accelerationRelaxation", 1);
     if (!(relaxation > 0 && relaxation <= 1))
     {
-        FatalIOErrorInFunction(coefficients)
-            << "Entry accelerationRelaxation is " << relaxation << nl
-            << "Expected: above 0, up to 1." << exit(FatalIOError);
+        refuseEntry(coefficients, "accelerationRelaxation", text("is ", relaxation), "above 0, up to 1.");
     }
     if (relaxation < 1)
     {
@@ -59,12 +58,13 @@ dictionary checked(const dictionary& coefficients)
          && e.dict().lookupOrDefault<scalar>("frelax", 0.8) != 1
         )
         {
-            FatalIOErrorInFunction(e.dict())
-                << "Entry frelax is "
-                << e.dict().lookupOrDefault<scalar>("frelax", 0.8) << nl
-                << "Expected: frelax 1, for the force of the step before is"
-                << " not kept when the case is restarted."
-                << exit(FatalIOError);
+            refuseEntry
+            (
+                e.dict(),
+                "frelax",
+                text("is ", e.dict().lookupOrDefault<scalar>("frelax", 0.8)),
+                "frelax 1, for the force of the step before is not kept when the case is restarted."
+            );
         }
     }
 

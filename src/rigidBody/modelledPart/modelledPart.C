@@ -2,6 +2,7 @@
 
 #include "modelledPart.H"
 
+#include "inputChecks.H"
 #include "mathematicalConstants.H"
 #include "polyBoundaryMesh.H"
 #include "wedgePolyPatch.H"
@@ -68,7 +69,7 @@ Foam::modelledPart::modelledPart(const partType type, const polyBoundaryMesh& pa
 
 Foam::modelledPart Foam::modelledPart::New(const dictionary& dict, const polyBoundaryMesh& patches)
 {
-    return modelledPart(typeNames.lookupOrDefault("model", dict, partType::full), patches);
+    return modelledPart(readChoice(typeNames, dict, "model", partType::full), patches);
 }
 
 

@@ -30,7 +30,7 @@ void Foam::smoothedParticles::flowIn<Real, dim>::sumContact()
     contactEnergy_ = 0;
     for (std::size_t w = 0; w < contact.walls.size(); ++w)
     {
-        const contactSurface& surface = *contact.walls[w];
+        const contactSurface& surface = contact.walls[w];
         const wallPose pose(poseOf(w));
 
         #pragma omp parallel for num_threads(nThreads_) schedule(static, turn)
@@ -38,7 +38,7 @@ void Foam::smoothedParticles::flowIn<Real, dim>::sumContact()
         {
             push_[k].fill(0);
             spring_[k] = 0;
-            contactSurface::touching t;
+            shape::touching t;
             if
             (
                 surface.touch(pose.home + (pose.back & (toVector(x_[k]) - pose.now)), t)
@@ -86,9 +86,9 @@ void Foam::smoothedParticles::flowIn<Real, dim>::setUpContact()
     spring_.resize(x_.size());
     contactLoads_.resize(contact.walls.size());
     const double lightest = *std::min_element(mass_.begin(), mass_.end());
-    for (const auto& wall : contact.walls)
+    for (const contactSurface& wall : contact.walls)
     {
-        contactFrequency2_ = std::max(contactFrequency2_, contact.k(lightest, soundStep(), wall->maxArea())/lightest);
+        contactFrequency2_ = std::max(contactFrequency2_, contact.k(lightest, soundStep(), wall.maxArea())/lightest);
     }
 }
 

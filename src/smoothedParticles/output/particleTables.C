@@ -3,6 +3,7 @@
 #include "particleTables.H"
 
 #include "fluidSelection.H"
+#include "inputChecks.H"
 #include "smoothingKernels.H"
 
 #include <cmath>
@@ -76,12 +77,10 @@ Foam::smoothedParticles::particleTables<dim>::particleTables
         ).c_str()
     )
 {
-    titan::checkKeywords(outputs, wordHashSet({"interval", "surfaceLevel", "gauges", "probes"}));
+    checkKeywords(outputs, wordHashSet({"interval", "surfaceLevel", "gauges", "probes"}));
     if (!(interval_ >= 0))
     {
-        FatalIOErrorInFunction(outputs)
-            << "Entry interval is " << interval_ << nl
-            << "Expected: 0 or above [s]." << exit(FatalIOError);
+        refuseEntry(outputs, "interval", text("is ", interval_), "0 or above [s].");
     }
     if (wallNames.size())
     {
@@ -100,9 +99,7 @@ Foam::smoothedParticles::particleTables<dim>::particleTables
     }
     if (gaugeTable_ && !(g2 > 0))
     {
-        FatalIOErrorInFunction(outputs)
-            << "Entry gauges is given, but there is no gravity" << nl
-            << "Expected: gravity, along which gauges measure." << exit(FatalIOError);
+        refuseEntry(outputs, "gauges", "is given, but there is no gravity", "gravity, along which gauges measure.");
     }
 }
 
@@ -128,9 +125,7 @@ std::unique_ptr<Foam::csvTable> Foam::smoothedParticles::particleTables<dim>::re
         const vector x(dict.get<vector>(name));
         if (dim == 2 && x.z() != 0)
         {
-            FatalIOErrorInFunction(dict)
-                << "Entry " << name << " is " << x << nl
-                << "Expected: a point with z = 0, for dimensions is 2." << exit(FatalIOError);
+            refuseEntry(dict, name, text("is ", x), "a point with z = 0, for dimensions is 2.");
         }
         point p;
         for (int d = 0; d < dim; ++d)

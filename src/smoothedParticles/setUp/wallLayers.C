@@ -3,6 +3,7 @@
 #include "wallLayers.H"
 #include "pointColumns.H"
 #include "smoothingKernels.H"
+#include "sphereShape.H"
 
 #include "DynamicList.H"
 
@@ -26,7 +27,7 @@ label fourfold(const scalar n)
 //- The solid behind a surface: points of a fine lattice as deep as the layers, and the cells that are deeper
 class sampledSolid
 {
-    const closedSurface& surface_;
+    const shape& surface_;
     const int dim_;
     const scalar spacing_;
     const scalar depth_;        //!< of the layers [m]
@@ -61,7 +62,7 @@ class sampledSolid
     void add(const point& centre, const scalar size)
     {
         const scalar halfDiagonal = 0.5*size*std::sqrt(scalar(dim_));
-        const closedSurface::foot foot(surface_.findNearest(centre, depth_ + halfDiagonal));
+        const shape::foot foot(surface_.findNearest(centre, depth_ + halfDiagonal));
         if (!foot.found)
         {
             if (surface_.contains(centre))
@@ -87,7 +88,7 @@ class sampledSolid
     void addPoint(const point& p, const scalar reach)
     {
         const scalar size = pointSpacing();
-        const closedSurface::foot foot(surface_.findNearest(p, min(depth_, (1 + 1e-9)*reach)));
+        const shape::foot foot(surface_.findNearest(p, min(depth_, (1 + 1e-9)*reach)));
         if (foot.found)
         {
             // What the surface cuts off a cell, as if it were parallel to a face
@@ -119,18 +120,17 @@ public:
 
     sampledSolid
     (
-        const closedSurface& surface,
-        const int dim,
+        const shape& surface,
         const scalar spacing,
         const label nLayers,
         const std::vector<symmetryPlane>& symmetry
     )
     :
         surface_(surface),
-        dim_(dim),
+        dim_(surface.dim()),
         spacing_(spacing),
         depth_(nLayers*spacing),
-        nFine_(dim == 2 ? 8 : 3),
+        nFine_(dim_ == 2 ? 8 : 3),
         symmetry_(symmetry)
     {
         scalar size = spacing;
@@ -180,26 +180,6 @@ bool Foam::smoothedParticles::isOnNearSide
         near = near && plane.distance(p) >= distance;
     }
     return near;
-}
-
-
-Foam::smoothedParticles::solidMeasures Foam::smoothedParticles::ballMeasures
-(
-    const point& centre,
-    const scalar radius,
-    const int dim
-)
-{
-    solidMeasures result;
-    if (dim == 2)
-    {
-        result.add(centre, pi*sqr(radius), pi/4*pow4(radius)*symmTensor(1, 0, 0, 1, 0, 0));
-    }
-    else
-    {
-        result.add(centre, 4*pi/3*pow3(radius), 4*pi/15*pow5(radius)*symmTensor::I);
-    }
-    return result;
 }
 
 
@@ -269,15 +249,15 @@ Foam::smoothedParticles::wallParticles Foam::smoothedParticles::sphereLayers
 
 Foam::smoothedParticles::wallParticles Foam::smoothedParticles::surfaceLayers
 (
-    const closedSurface& surface,
-    const int dim,
+    const shape& surface,
     const scalar spacing,
     const label nLayers,
     const std::vector<symmetryPlane>& symmetry,
     solidMeasures& represented
 )
 {
-    const sampledSolid solid(surface, dim, spacing, nLayers, symmetry);
+    const int dim = surface.dim();
+    const sampledSolid solid(surface, spacing, nLayers, symmetry);
 
     // Parts that are thinner than a spacing have their particles in the middle, up to this much nearer to the surface
     const scalar thin = 0.25*spacing;
@@ -290,7 +270,7 @@ Foam::smoothedParticles::wallParticles Foam::smoothedParticles::surfaceLayers
 
     const auto layerOf = [&](const scalar depth){ return label(max(depth, scalar(0))/spacing); };
     const auto depthOf = [&](const label layer){ return (layer + 0.5)*spacing; };
-    const auto moved = [](const closedSurface::foot& foot, const point& p, const scalar depth)
+    const auto moved = [](const shape::foot& foot, const point& p, const scalar depth)
     {
         return foot.x + depth/foot.depth*(p - foot.x);
     };
@@ -313,7 +293,7 @@ Foam::smoothedParticles::wallParticles Foam::smoothedParticles::surfaceLayers
         const scalar beyond = p.depth - depthOf(layer);
         if (beyond >= 0 && beyond < 2*solid.pointSpacing())
         {
-            const closedSurface::foot foot(surface.findNearest(p.x, (1 + 1e-9)*p.depth));
+            const shape::foot foot(surface.findNearest(p.x, (1 + 1e-9)*p.depth));
             append(moved(foot, p.x, depthOf(layer)), layer, apart);
         }
     }
@@ -380,7 +360,7 @@ Foam::smoothedParticles::wallParticles Foam::smoothedParticles::surfaceLayers
             {
                 x[i] = moment[i]/volume[i];
                 const scalar depth = depthOf(layers[i]);
-                const closedSurface::foot foot(surface.findNearest(x[i], GREAT));
+                const shape::foot foot(surface.findNearest(x[i], GREAT));
                 const point onSet(moved(foot, x[i], depth));
                 if (foot.depth >= depth || surface.findNearest(onSet, GREAT).depth > depth - thin)
                 {

@@ -2,10 +2,10 @@
 
 #include "particleBodies.H"
 
-#include "particleSetUp.H"
+#include "walls.H"
 
 #include "FlatOutput.H"
-#include "Switch.H"
+#include "inputChecks.H"
 
 #include <algorithm>
 #include <stdexcept>
@@ -28,9 +28,13 @@ Foam::smoothedParticles::particleBodies<dim>::particleBodies
     {
         if (ends)
         {
-            FatalIOErrorInFunction(properties.dict())
-                << "Entry until is given, but nothing moves" << nl
-                << "Expected: no such entry, or a body in bodies." << exit(FatalIOError);
+            refuseEntry
+            (
+                properties.dict(),
+                "until",
+                "is given, but nothing moves",
+                "no such entry, or a body in bodies."
+            );
         }
         return;
     }
@@ -43,24 +47,31 @@ Foam::smoothedParticles::particleBodies<dim>::particleBodies
         const label wall = wallNames.find(name);
         if (wall < 0)
         {
-            FatalIOErrorInFunction(dict)
-                << "Entry " << name << " is no wall" << nl
-                << "Expected: the name of one of the geometry's walls, " << flatOutput(wallNames) << exit(FatalIOError);
+            refuseEntry
+            (
+                dict,
+                name,
+                "is no wall",
+                text("the name of one of the geometry's walls, ", flatOutput(wallNames))
+            );
         }
-        const dictionary& shape = wallDicts[wall];
-        if (shape.get<word>("type") == "box" && !shape.lookupOrDefault<Switch>("solid", false))
+        shapes_.append(shape::New(wallDicts[wall], {dim, runTime.path()}));
+        if (shapes_.last().surrounds())
         {
-            FatalIOErrorInFunction(dict)
-                << "Entry " << name << " is a tank around the fluid, which cannot move" << nl
-                << "Expected: a solid wall." << exit(FatalIOError);
+            refuseEntry(dict, name, "is a tank around the fluid, which cannot move", "a solid wall.");
         }
         if (name == "particles")
         {
-            FatalIOErrorInFunction(dict)
-                << "Entry " << name << " is a wall with the name of VTK/particles.vtp.series" << nl
-                << "Expected: another name for a wall that moves." << exit(FatalIOError);
+            refuseEntry
+            (
+                dict,
+                name,
+                "is a wall with the name of VTK/particles.vtp.series",
+                "another name for a wall that moves."
+            );
         }
         walls_.append(wall);
+        names_.append(name);
         bodies_.append(new freeBody(dict.subDict(name), runTime, properties.gravity()));
         trajectories_.append
         (
@@ -72,9 +83,13 @@ Foam::smoothedParticles::particleBodies<dim>::particleBodies
     {
         if (bodies_.size() != 1)
         {
-            FatalIOErrorInFunction(properties.dict())
-                << "Entry until is given, but there are " << bodies_.size() << " bodies" << nl
-                << "Expected: one body." << exit(FatalIOError);
+            refuseEntry
+            (
+                properties.dict(),
+                "until",
+                text("is given, but there are ", bodies_.size(), " bodies"),
+                "one body."
+            );
         }
         until_.reset(new bodyEvent(properties.dict(), "until"));
     }
@@ -151,16 +166,11 @@ bool Foam::smoothedParticles::particleBodies<dim>::end(Time& time)
 
 
 template<int dim>
-void Foam::smoothedParticles::particleBodies<dim>::makeSurfaces(const particleProperties& properties)
+void Foam::smoothedParticles::particleBodies<dim>::makeSurfaces()
 {
-    if (bodies_.empty())
+    forAll(bodies_, i)
     {
-        return;
-    }
-    const PtrList<dictionary> wallDicts(readWalls(properties.geometry()));
-    for (const label wall : walls_)
-    {
-        surfaces_.append(new bodyVTK(time_, wallDicts[wall], dim, starts_.at(wall)));
+        surfaces_.append(new bodyVTK(time_, names_[i], shapes_[i], starts_.at(walls_[i])));
     }
 }
 

@@ -4,10 +4,12 @@
 
 #include "particleSetUp.H"
 #include "smoothingKernels.H"
+#include "walls.H"
 
 #include "Enum.H"
 #include "FlatOutput.H"
 #include "fluidSelection.H"
+#include "inputChecks.H"
 #include "PtrList.H"
 #include "uniformDimensionedFields.H"
 
@@ -76,30 +78,6 @@ const Enum<bool> precisionNames
 });
 
 
-void refuse(const dictionary& dict, const word& entry, const std::string& value, const std::string& expected)
-{
-    FatalIOErrorInFunction(dict)
-        << "Entry " << entry << " is " << value.c_str() << nl
-        << "Expected: " << expected.c_str() << exit(FatalIOError);
-}
-
-
-scalar positive(const dictionary& dict, const word& entry, const scalar value)
-{
-    if (!(value > 0) || value > GREAT)
-    {
-        refuse(dict, entry, std::to_string(value), "a positive number.");
-    }
-    return value;
-}
-
-
-scalar readPositive(const dictionary& dict, const word& entry)
-{
-    return positive(dict, entry, dict.get<scalar>(entry));
-}
-
-
 //- A coefficient that a choice needs, which is refused without that choice
 scalar readCoefficient(const dictionary& dict, const word& entry, const bool needed, const char* choice)
 {
@@ -109,7 +87,7 @@ scalar readCoefficient(const dictionary& dict, const word& entry, const bool nee
     }
     if (dict.found(entry))
     {
-        refuse(dict, entry, "given", std::string("no such entry, or ") + choice + ".");
+        refuseEntry(dict, entry, "is given", text("no such entry, or ", choice, "."));
     }
     return 0;
 }
@@ -136,11 +114,11 @@ void Foam::smoothedParticles::particleProperties::readLiquid(const dictionary& d
     if (dict.found("fluid") || dict.found("composition"))
     {
         known += titan::fluidSelection::keywords;
-        titan::checkKeywords(dict, known);
+        checkKeywords(dict, known);
         const titan::fluidSelection liquid(dict);
         if (liquid.ph() != titan::phase::liquid)
         {
-            refuse(dict, "fluid or composition", liquid.name() + ", a gas", "a liquid.");
+            refuse(dict, text("Entry fluid or composition is ", liquid.name(), ", a gas"), "a liquid.");
         }
         common_.rho0 = liquid.value(titan::property::density, dict);
         m.mu = liquid.value(titan::property::viscosity, dict);
@@ -152,7 +130,7 @@ void Foam::smoothedParticles::particleProperties::readLiquid(const dictionary& d
 
     known.insert("rho");
     known.insert("mu");
-    titan::checkKeywords(dict, known);
+    checkKeywords(dict, known);
     common_.rho0 = readPositive(dict, "rho");
     m.mu = dict.found("mu") || m.viscosity == viscosityType::laminar ? readPositive(dict, "mu") : 0;
 }
@@ -163,7 +141,7 @@ void Foam::smoothedParticles::particleProperties::readSoundSpeed(const dictionar
     const wordList choices({"c0", "maxSpeed", "depth", "bulkModulus", "liquid"});
     wordHashSet known(choices);
     known.insert("factor");
-    titan::checkKeywords(dict, known);
+    checkKeywords(dict, known);
     wordList given;
     for (const word& choice : choices)
     {
@@ -174,11 +152,14 @@ void Foam::smoothedParticles::particleProperties::readSoundSpeed(const dictionar
     }
     if (given.size() != 1)
     {
-        FatalIOErrorInFunction(dict)
-            << "Entries given: " << flatOutput(given) << nl
-            << "Expected: one of them: c0 [m/s]; maxSpeed, the highest speed that is expected [m/s], and optionally factor, c0"
-            << " over it (10); depth of the liquid [m]; bulkModulus [Pa]; or liquid yes, the sound speed of a fluid of the"
-            << " library." << exit(FatalIOError);
+        refuse
+        (
+            dict,
+            text("Entries given: ", flatOutput(given)),
+            "one of them: c0 [m/s]; maxSpeed, the highest speed that is expected [m/s], and optionally factor, c0"
+            " over it (10); depth of the liquid [m]; bulkModulus [Pa]; or liquid yes, the sound speed of a fluid of"
+            " the library."
+        );
     }
     interactionModel& m = common_.interaction;
     if (given[0] != "maxSpeed")
@@ -193,7 +174,7 @@ void Foam::smoothedParticles::particleProperties::readSoundSpeed(const dictionar
     {
         if (!(mag(g_) > 0))
         {
-            refuse(dict, "depth", "given, but there is no gravity", "gravity, or another choice.");
+            refuseEntry(dict, "depth", "is given, but there is no gravity", "gravity, or another choice.");
         }
         m.c0 = Foam::sqrt(100*mag(g_)*readPositive(dict, "depth"));
     }
@@ -205,11 +186,12 @@ void Foam::smoothedParticles::particleProperties::readSoundSpeed(const dictionar
     {
         if (!dict.get<bool>("liquid") || !(liquidSoundSpeed_ > 0))
         {
-            refuse
+            refuseEntry
             (
                 dict,
                 "liquid",
-                dict.get<word>("liquid") + (liquidSoundSpeed_ > 0 ? "" : ", but the speed of sound of the liquid is not known"),
+                "is " + dict.get<word>("liquid")
+              + (liquidSoundSpeed_ > 0 ? "" : ", but the speed of sound of the liquid is not known"),
                 "yes, and a fluid or composition in the entry liquid of particleProperties."
             );
         }
@@ -218,7 +200,7 @@ void Foam::smoothedParticles::particleProperties::readSoundSpeed(const dictionar
     else
     {
         expectedSpeed_ = readPositive(dict, "maxSpeed");
-        m.c0 = positive(dict, "factor", dict.lookupOrDefault<scalar>("factor", 10))*expectedSpeed_;
+        m.c0 = readPositiveOrDefault(dict, "factor", 10)*expectedSpeed_;
     }
 }
 
@@ -229,26 +211,26 @@ void Foam::smoothedParticles::particleProperties::readSmoothingLength()
     {
         common_.interaction.h =
             common_.spacing
-           *positive(dict_, "smoothingLength", dict_.lookupOrDefault<scalar>("smoothingLength", 1.5));
+           *readPositiveOrDefault(dict_, "smoothingLength", 1.5);
         return;
     }
     if (dict_.found("smoothingLength"))
     {
-        refuse(dict_, "neighbours", "given, and smoothingLength too", "one of them.");
+        refuseEntry(dict_, "neighbours", "is given, and smoothingLength too", "one of them.");
     }
     const label n = dict_.get<label>("neighbours");
     if (n < 10 || n > 500)
     {
-        refuse(dict_, "neighbours", std::to_string(n), "10 to 500.");
+        refuseEntry(dict_, "neighbours", text("is ", n), "10 to 500.");
     }
     const scalar ratio = smoothingLengthOf(n, dimensions_);
     if (ratio < 1)
     {
-        refuse
+        refuseEntry
         (
             dict_,
             "neighbours",
-            std::to_string(n) + ", by which the smoothing length is " + std::to_string(ratio) + " spacings",
+            text("is ", n, ", by which the smoothing length is ", ratio, " spacings"),
             "so many that it is a spacing or more: 33 in three dimensions, 12 in two."
         );
     }
@@ -264,7 +246,7 @@ void Foam::smoothedParticles::particleProperties::readSymmetry()
     }
     for (const dictionary& dict : PtrList<dictionary>(dict_.lookup("symmetry")))
     {
-        titan::checkKeywords(dict, wordHashSet({"point", "normal"}));
+        checkKeywords(dict, wordHashSet({"point", "normal"}));
         const vector p(dict.get<vector>("point"));
         const vector n(dict.get<vector>("normal"));
         direction axis = 0;
@@ -274,10 +256,16 @@ void Foam::smoothedParticles::particleProperties::readSymmetry()
         }
         if (!(mag(n[axis]) > 0) || mag(n - n[axis]*vector(axis == 0, axis == 1, axis == 2)) > 0)
         {
-            FatalIOErrorInFunction(dict)
-                << "Entry normal is " << n << nl
-                << "Expected: a direction along a coordinate" << (dimensions_ == 2 ? " of the plane" : "")
-                << ", into the fluid." << exit(FatalIOError);
+            refuseEntry
+            (
+                dict,
+                "normal",
+                text("is ", n),
+                text
+                (
+                    "a direction along a coordinate", (dimensions_ == 2 ? " of the plane" : ""), ", into the fluid."
+                )
+            );
         }
         common_.symmetry.push_back({axis, p[axis], n[axis] > 0 ? 1 : -1});
     }
@@ -291,7 +279,7 @@ void Foam::smoothedParticles::particleProperties::readAbsorption()
         return;
     }
     const dictionary& dict = dict_.subDict("absorption");
-    titan::checkKeywords(dict, wordHashSet({"min", "max", "thickness", "faces", "surface"}));
+    checkKeywords(dict, wordHashSet({"min", "max", "thickness", "faces", "surface"}));
     absorbingLayer& layer = common_.absorption;
     layer.thickness = readPositive(dict, "thickness");
     layer.surface = dict.get<scalar>("surface");
@@ -303,9 +291,7 @@ void Foam::smoothedParticles::particleProperties::readAbsorption()
         layer.max[d] = high[d];
         if (!(low[d] < high[d]))
         {
-            FatalIOErrorInFunction(dict)
-                << "Entries min and max are " << low << " and " << high << nl
-                << "Expected: min below max in each direction." << exit(FatalIOError);
+            refuse(dict, text("Entries min and max are ", low, " and ", high), "min below max in each direction.");
         }
     }
     for (const word& face : dict.get<wordList>("faces"))
@@ -322,13 +308,13 @@ void Foam::smoothedParticles::particleProperties::readContact(const fileName& ca
         return;
     }
     const dictionary& dict = dict_.subDict("contact");
-    titan::checkKeywords(dict, wordHashSet({"stiffness", "factor", "bulkModulus", "thickness", "maxDepth"}));
+    checkKeywords(dict, wordHashSet({"stiffness", "factor", "bulkModulus", "thickness", "maxDepth"}));
     if (common_.interaction.noSlip)
     {
-        refuse(dict_, "walls", "noSlip, but there is contact", "slip: contact has no friction.");
+        refuseEntry(dict_, "walls", "is noSlip, but there is contact", "slip: contact has no friction.");
     }
     penaltyContact& contact = common_.contact;
-    contact.stiffness = stiffnessNames.get("stiffness", dict);
+    contact.stiffness = readChoice(stiffnessNames, dict, "stiffness");
     contact.factor = readPositive(dict, "factor");
     const bool segment = contact.stiffness == contactStiffness::segment;
     contact.bulkModulus = readCoefficient(dict, "bulkModulus", segment, "stiffness segment");
@@ -337,12 +323,10 @@ void Foam::smoothedParticles::particleProperties::readContact(const fileName& ca
     {
         contact.maxDepth = common_.spacing*readPositive(dict, "maxDepth");
     }
+    const shape::setting where{int(dimensions_), caseDirectory, supportRatio*common_.interaction.h};
     for (const dictionary& wall : readWalls(geometry()))
     {
-        contact.walls.push_back
-        (
-            newContactSurface(wall, dimensions_, common_.spacing, supportRatio*common_.interaction.h, caseDirectory)
-        );
+        contact.walls.emplace_back(shape::New(wall, where), common_.spacing);
     }
 }
 
@@ -366,7 +350,7 @@ Foam::smoothedParticles::particleProperties::particleProperties(const Time& runT
     g_(readGravity(runTime)),
     dimensions_(dict_.get<label>("dimensions"))
 {
-    titan::checkKeywords
+    checkKeywords
     (
         dict_,
         wordHashSet
@@ -379,28 +363,28 @@ Foam::smoothedParticles::particleProperties::particleProperties(const Time& runT
     );
     if (dimensions_ != 2 && dimensions_ != 3)
     {
-        refuse(dict_, "dimensions", std::to_string(dimensions_), "2 or 3.");
+        refuseEntry(dict_, "dimensions", text("is ", dimensions_), "2 or 3.");
     }
     if (dimensions_ == 2 && g_.z() != 0)
     {
-        refuse(dict_, "dimensions", "2, but the gravity of constant/g has a component along z", "gravity in the plane of x and y.");
+        refuseEntry(dict_, "dimensions", "is 2, but the gravity of constant/g has a component along z", "gravity in the plane of x and y.");
     }
 
     common_.spacing = readSpacing(geometry());
-    common_.timeStepping = timeSteppingNames.lookupOrDefault("timeStepping", dict_, timeSteppingType::Verlet);
-    common_.Courant = positive
+    common_.timeStepping = readChoice(timeSteppingNames, dict_, "timeStepping", timeSteppingType::Verlet);
+    common_.Courant = readPositiveOrDefault
     (
         dict_,
         "Courant",
-        dict_.lookupOrDefault<scalar>("Courant", common_.timeStepping == timeSteppingType::Verlet ? 0.5 : 0.2)
+        common_.timeStepping == timeSteppingType::Verlet ? 0.5 : 0.2
     );
-    common_.singlePrecision = precisionNames.lookupOrDefault("precision", dict_, true);
+    common_.singlePrecision = readChoice(precisionNames, dict_, "precision", true);
 
     interactionModel& m = common_.interaction;
-    m.kernel = kernelNames.lookupOrDefault("kernel", dict_, kernelType::WendlandC2);
+    m.kernel = readChoice(kernelNames, dict_, "kernel", kernelType::WendlandC2);
     readSmoothingLength();
-    m.pressure = pressureNames.lookupOrDefault("momentum", dict_, pressureType::fluid);
-    m.viscosity = viscosityNames.get("viscosity", dict_);
+    m.pressure = readChoice(pressureNames, dict_, "momentum", pressureType::fluid);
+    m.viscosity = readChoice(viscosityNames, dict_, "viscosity");
     const bool artificial = m.viscosity == viscosityType::artificial;
     if (dict_.found("beta"))
     {
@@ -411,7 +395,7 @@ Foam::smoothedParticles::particleProperties::particleProperties(const Time& runT
     {
         m.alpha = readCoefficient(dict_, "alpha", artificial, "viscosity artificial");
     }
-    m.diffusion = diffusionNames.get("densityDiffusion", dict_);
+    m.diffusion = readChoice(diffusionNames, dict_, "densityDiffusion");
     m.delta = readCoefficient
     (
         dict_,
@@ -423,12 +407,12 @@ Foam::smoothedParticles::particleProperties::particleProperties(const Time& runT
     if (dict_.found("shifting"))
     {
         const dictionary& shifting = dict_.subDict("shifting");
-        titan::checkKeywords(shifting, wordHashSet({"coefficient"}));
-        common_.shifting = positive(shifting, "coefficient", shifting.lookupOrDefault<scalar>("coefficient", 2));
+        checkKeywords(shifting, wordHashSet({"coefficient"}));
+        common_.shifting = readPositiveOrDefault(shifting, "coefficient", 2);
     }
     common_.wallTension = dict_.found("wallTension") ? readPositive(dict_, "wallTension") : 0;
     common_.energy = dict_.lookupOrDefault<bool>("energy", false);
-    m.noSlip = wallNames.get("walls", dict_);
+    m.noSlip = readChoice(wallNames, dict_, "walls");
     readLiquid(dict_.subDict("liquid"));
     readSoundSpeed(dict_.subDict("speedOfSound"));
     readSymmetry();

@@ -4,6 +4,7 @@
 
 #include "particleCheckpoint.H"
 #include "particleSetUp.H"
+#include "walls.H"
 
 #include "OSspecific.H"
 
@@ -30,7 +31,7 @@ Foam::smoothedParticles::particleSimulation<dim>::particleSimulation
 {
     const particleState<dim> first(start());
     build(first);
-    bodies_.makeSurfaces(properties);
+    bodies_.makeSurfaces();
 
     const std::size_t nFluid = std::count(first.wall.begin(), first.wall.end(), first.fluid);
     Info<< "Start: " << label(nFluid) << " of the fluid, " << label(first.size() - nFluid) << " of walls, from "

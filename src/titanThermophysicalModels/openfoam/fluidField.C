@@ -2,6 +2,7 @@
 
 #include "fluidField.H"
 
+#include "inputChecks.H"
 #include "Pair.H"
 #include "volFields.H"
 
@@ -37,10 +38,13 @@ void Foam::titan::fluidField::makeModel(const std::vector<property>& asked)
     }
     if (fluid_.isConstant())
     {
-        FatalIOErrorInFunction(dict_)
-            << "Entry evaluation is " << evaluationTypeNames[evaluation_]
-            << ", but " << fluid_.name().c_str() << " is a set of constants" << nl
-            << "Expected: constant." << exit(FatalIOError);
+        refuseEntry
+        (
+            dict_,
+            "evaluation",
+            text("is ", evaluationTypeNames[evaluation_], ", but ", fluid_.name(), " is a set of constants"),
+            "constant."
+        );
     }
 
     if (evaluation_ == evaluationType::direct)
@@ -63,10 +67,13 @@ void Foam::titan::fluidField::makeModel(const std::vector<property>& asked)
     );
     if (!(T.first() <= fluid_.T() && fluid_.T() <= T.second()))
     {
-        FatalIOErrorInFunction(dict_)
-            << "Entry TRange is " << T << nl
-            << "Expected: two temperatures about that of the fluid, "
-            << fluid_.T() << " K." << exit(FatalIOError);
+        refuseEntry
+        (
+            dict_,
+            "TRange",
+            text("is ", T),
+            text("two temperatures about that of the fluid, ", fluid_.T(), " K.")
+        );
     }
 
     // Only the temperature varies, but a table is of two dimensions
@@ -95,11 +102,13 @@ void Foam::titan::fluidField::makeProfile()
     }
     if (evaluation_ != evaluationType::constant)
     {
-        FatalIOErrorInFunction(dict_)
-            << "Entry evaluation is " << evaluationTypeNames[evaluation_]
-            << ", but the fluid is stratified" << nl
-            << "Expected: constant, or a fluid that is not stratified."
-            << exit(FatalIOError);
+        refuseEntry
+        (
+            dict_,
+            "evaluation",
+            text("is ", evaluationTypeNames[evaluation_], ", but the fluid is stratified"),
+            "constant, or a fluid that is not stratified."
+        );
     }
     profile_.reset(new lakeProfile(dict_.subDict("stratification"), mesh_));
 }
@@ -112,11 +121,13 @@ const Foam::volScalarField* Foam::titan::fluidField::temperature() const
     // A function object that solves for it makes it after the flow is read
     if (!T && mesh_.time().timeIndex() > mesh_.time().startTimeIndex())
     {
-        FatalIOErrorInFunction(dict_)
-            << "Entry evaluation is " << evaluationTypeNames[evaluation_]
-            << ", but there is no temperature field " << TName_ << nl
-            << "Expected: a case with this field, its name in entry TField,"
-            << " or evaluation constant." << exit(FatalIOError);
+        refuseEntry
+        (
+            dict_,
+            "evaluation",
+            text("is ", evaluationTypeNames[evaluation_], ", but there is no temperature field ", TName_),
+            "a case with this field, its name in entry TField, or evaluation constant."
+        );
     }
     return T;
 }
@@ -170,12 +181,7 @@ Foam::titan::fluidField::fluidField
     fluid_(dict),
     evaluation_
     (
-        evaluationTypeNames.lookupOrDefault
-        (
-            "evaluation",
-            dict,
-            evaluationType::constant
-        )
+        readChoice(evaluationTypeNames, dict, "evaluation", evaluationType::constant)
     ),
     TName_(dict.lookupOrDefault<word>("TField", "T"))
 {

@@ -5,6 +5,7 @@
 #include "phaseEquilibrium.H"
 
 #include "FlatOutput.H"
+#include "inputChecks.H"
 #include "Switch.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -70,25 +71,6 @@ bool isSaturated(const dictionary& dict)
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-void Foam::titan::checkKeywords
-(
-    const dictionary& dict,
-    const wordHashSet& known
-)
-{
-    for (const entry& e : dict)
-    {
-        if (!known.found(e.keyword()))
-        {
-            FatalIOErrorInFunction(dict)
-                << "Unknown entry " << e.keyword() << nl
-                << "Expected: any of " << flatOutput(known.sortedToc())
-                << exit(FatalIOError);
-        }
-    }
-}
-
-
 Foam::titan::composition Foam::titan::readComposition
 (
     const dictionary& dict,
@@ -105,10 +87,13 @@ Foam::titan::composition Foam::titan::readComposition
 
     if (xDict.found("N2"))
     {
-        FatalIOErrorInFunction(xDict)
-            << "Entry N2 is " << x[N2] << ", but entry saturated is true" << nl
-            << "Expected: CH4, C2H6 and C3H8 alone, to which the nitrogen is"
-            << " added, or no entry saturated." << exit(FatalIOError);
+        refuseEntry
+        (
+            xDict,
+            "N2",
+            text("is ", x[N2], ", but entry saturated is true"),
+            "CH4, C2H6 and C3H8 alone, to which the nitrogen is added, or no entry saturated."
+        );
     }
     return orRefuse
     (
@@ -152,11 +137,16 @@ void Foam::titan::fluidSelection::selectNamed(const dictionary& dict)
 
     if (fluid.isConstant)
     {
-        FatalIOErrorInFunction(dict)
-            << "Entries T and p are " << T << " K and " << p << " Pa, but "
-            << name << " is a set of constants that hold at " << fluid.T << " K and " << fluid.p << " Pa" << nl
-            << "Expected: neither T nor p, or these values."
-            << exit(FatalIOError);
+        refuse
+        (
+            dict,
+            text
+            (
+                "Entries T and p are ", T, " K and ", p, " Pa, but ", name, " is a set of constants that hold at ",
+                fluid.T, " K and ", fluid.p, " Pa"
+            ),
+            "neither T nor p, or these values."
+        );
     }
 
     if (fluid.ph == phase::liquid)
@@ -277,12 +267,16 @@ Foam::titan::fluidSelection::fluidSelection(const dictionary& dict)
     if (found.size() != 1)
     {
         const std::vector<std::string> names(namedFluid::names());
-        FatalIOErrorInFunction(dict)
-            << "No single fluid: entries " << flatOutput(found) << nl
-            << "Expected: one of fluid, the name of a lake or an air "
-            << flatOutput(wordList(names.begin(), names.end()))
-            << ", composition, with T and p, or stratification."
-            << exit(FatalIOError);
+        refuse
+        (
+            dict,
+            text("No single fluid: entries ", flatOutput(found)),
+            text
+            (
+                "one of fluid, the name of a lake or an air ", flatOutput(wordList(names.begin(), names.end())),
+                ", composition, with T and p, or stratification."
+            )
+        );
     }
 
     if (found[0] == "fluid")
@@ -304,10 +298,13 @@ Foam::titan::fluidSelection::fluidSelection(const dictionary& dict)
      && dict.get<word>("phase") != phaseName(phase_)
     )
     {
-        FatalIOErrorInFunction(dict)
-            << "Entry phase is " << dict.get<word>("phase") << ", but "
-            << name_.c_str() << " is a " << phaseName(phase_) << nl
-            << "Expected: the two to agree." << exit(FatalIOError);
+        refuseEntry
+        (
+            dict,
+            "phase",
+            text("is ", dict.get<word>("phase"), ", but ", name_, " is a ", phaseName(phase_)),
+            "the two to agree."
+        );
     }
 
     if (x_)
@@ -332,10 +329,12 @@ Foam::scalar Foam::titan::fluidSelection::value
 {
     if (!has(q))
     {
-        FatalIOErrorInFunction(dict)
-            << "Entry fluid or composition: no " << propertyName(q)
-            << " is known of " << name_.c_str() << ", a " << phaseName(phase_) << nl
-            << "Expected: a fluid that has one." << exit(FatalIOError);
+        refuse
+        (
+            dict,
+            text("Entry fluid or composition: no ", propertyName(q), " is known of ", name_, ", a ", phaseName(phase_)),
+            "a fluid that has one."
+        );
     }
     return properties_[q];
 }

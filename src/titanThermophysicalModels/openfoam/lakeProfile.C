@@ -5,6 +5,7 @@
 
 #include "fvMesh.H"
 #include "gravityMeshObject.H"
+#include "inputChecks.H"
 
 #include <algorithm>
 
@@ -62,10 +63,12 @@ Foam::titan::lakeProfile::lakeProfile
 {
     if (mag(g_) < VSMALL)
     {
-        FatalIOErrorInFunction(dict)
-            << "g is zero in this case: a depth has no direction" << nl
-            << "Expected: gravity, in constant/g, where there is a"
-            << " stratification." << exit(FatalIOError);
+        refuse
+        (
+            dict,
+            "g is zero in this case: a depth has no direction",
+            "gravity, in constant/g, where there is a stratification."
+        );
     }
     makeTable(dict.get<scalar>("p"));
 }
@@ -94,10 +97,7 @@ std::vector<Foam::titan::lakeLayer> Foam::titan::lakeProfile::readLayers
     }
     if (layers.empty())
     {
-        FatalIOErrorInFunction(dict.subDict("layers"))
-            << "No layers" << nl
-            << "Expected: at least two dictionaries with depth, T and"
-            << " composition." << exit(FatalIOError);
+        refuse(dict.subDict("layers"), "No layers", "at least two dictionaries with depth, T and composition.");
     }
     return layers;
 }
@@ -121,12 +121,16 @@ void Foam::titan::lakeProfile::evaluate
         const scalar depth = max(surfaceLevel_ + (points[i] & down), 0);
         if (depth > depth_.last()*(1 + 1e-9))
         {
-            FatalIOErrorInFunction(dict_)
-                << "Entry layers: the mesh reaches " << depth
-                << " m below the surface, at " << points[i]
-                << ", and the last layer " << depth_.last() << " m" << nl
-                << "Expected: layers as deep as the mesh."
-                << exit(FatalIOError);
+            refuse
+            (
+                dict_,
+                text
+                (
+                    "Entry layers: the mesh reaches ", depth, " m below the surface, at ", points[i],
+                    ", and the last layer ", depth_.last(), " m"
+                ),
+                "layers as deep as the mesh."
+            );
         }
         const label lower = min
         (

@@ -5,6 +5,7 @@
 #include "addToRunTimeSelectionTable.H"
 #include "FlatOutput.H"
 #include "fvMatrices.H"
+#include "inputChecks.H"
 #include "IOdictionary.H"
 #include "volFields.H"
 
@@ -112,10 +113,7 @@ void Foam::fv::lakeStratification::addSup
 
 void Foam::fv::lakeStratification::addSup(fvMatrix<vector>&, const label)
 {
-    FatalIOErrorInFunction(coeffs_)
-        << "A solver for one fluid of constant density" << nl
-        << "Expected: a solver for two fluids, such as interFoam."
-        << exit(FatalIOError);
+    refuse(coeffs_, "A solver for one fluid of constant density", "a solver for two fluids, such as interFoam.");
 }
 
 

@@ -5,6 +5,7 @@
 
 #include "Enum.H"
 #include "FlatOutput.H"
+#include "inputChecks.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -61,35 +62,37 @@ reference readReference(const dictionary& dict)
         {
             if (dict.found(name))
             {
-                FatalIOErrorInFunction(dict)
-                    << "Entry " << name << ": density and pressure are those"
-                    << " of the fluid" << nl
-                    << "Expected: either a fluid, with T and p if these are not"
-                    << " the surface's, or rho0 and p0." << exit(FatalIOError);
+                refuse
+                (
+                    dict,
+                    text("Entry ", name, ": density and pressure are those of the fluid"),
+                    "either a fluid, with T and p if these are not the surface's, or rho0 and p0."
+                );
             }
         }
         ref.fluid.reset(new fluidSelection(dict));
         ref.p0 = ref.fluid->p();
         ref.rho0 = ref.fluid->value(property::density, dict);
-        ref.type = stiffnessTypeNames.lookupOrDefault
-        (
-            "stiffness",
-            dict,
-            stiffnessType::fluid
-        );
+        ref.type = readChoice(stiffnessTypeNames, dict, "stiffness", stiffnessType::fluid);
     }
     else
     {
         ref.p0 = dict.get<scalar>("p0");
         ref.rho0 = dict.get<scalar>("rho0");
-        ref.type = stiffnessTypeNames.get("stiffness", dict);
+        ref.type = readChoice(stiffnessTypeNames, dict, "stiffness");
         if (ref.type == stiffnessType::fluid)
         {
-            FatalIOErrorInFunction(dict)
-                << "Entry stiffness is fluid, but there is no fluid" << nl
-                << "Expected: entry fluid or composition, or another stiffness"
-                << " of " << flatOutput(stiffnessTypeNames.sortedToc())
-                << exit(FatalIOError);
+            refuseEntry
+            (
+                dict,
+                "stiffness",
+                "is fluid, but there is no fluid",
+                text
+                (
+                    "entry fluid or composition, or another stiffness of ",
+                    flatOutput(stiffnessTypeNames.sortedToc())
+                )
+            );
         }
     }
     return ref;
@@ -102,12 +105,7 @@ stiffness readFluidStiffness
     const fluidSelection& fluid
 )
 {
-    const compression along = compressionNames.lookupOrDefault
-    (
-        "along",
-        dict,
-        compression::isentropic
-    );
+    const compression along = readChoice(compressionNames, dict, "along", compression::isentropic);
     const property K =
         along == compression::isentropic
       ? property::isentropicBulkModulus
@@ -120,11 +118,12 @@ stiffness readFluidStiffness
     }
     if (fluid.isConstant())
     {
-        FatalIOErrorInFunction(dict)
-            << "No entry gamma, and none is known of " << fluid.name().c_str()
-            << ", a set of constants" << nl
-            << "Expected: gamma, the derivative dK/dp of the bulk modulus."
-            << exit(FatalIOError);
+        refuse
+        (
+            dict,
+            text("No entry gamma, and none is known of ", fluid.name(), ", a set of constants"),
+            "gamma, the derivative dK/dp of the bulk modulus."
+        );
     }
     return orRefuse
     (

@@ -2,6 +2,7 @@
 
 #include "titanFluidSurfaceTension.H"
 #include "addToRunTimeSelectionTable.H"
+#include "inputChecks.H"
 #include "volFields.H"
 
 namespace Foam
@@ -19,7 +20,7 @@ using Foam::titan::property;
 
 void Foam::surfaceTensionModels::titanFluid::select(const dictionary& dict)
 {
-    titan::checkKeywords
+    checkKeywords
     (
         dict,
         titan::fluidField::keywords() | wordHashSet({"type"})

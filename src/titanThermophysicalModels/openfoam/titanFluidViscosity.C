@@ -2,6 +2,7 @@
 
 #include "titanFluidViscosity.H"
 #include "addToRunTimeSelectionTable.H"
+#include "inputChecks.H"
 
 namespace Foam
 {
@@ -31,12 +32,17 @@ void Foam::viscosityModels::titanFluid::addEntry
      && mag(given - value) > 5e-6*mag(value)
     )
     {
-        FatalIOErrorInFunction(dict)
-            << "Entry " << name << " is " << given << ", but that of "
-            << fluid_->fluid().name().c_str() << " at " << fluid_->fluid().T()
-            << " K and " << fluid_->fluid().p() << " Pa is " << value << nl
-            << "Expected: no entry " << name << ", or the same value."
-            << exit(FatalIOError);
+        refuseEntry
+        (
+            dict,
+            name,
+            text
+            (
+                "is ", given, ", but that of ", fluid_->fluid().name(), " at ", fluid_->fluid().T(), " K and ",
+                fluid_->fluid().p(), " Pa is ", value
+            ),
+            text("no entry ", name, ", or the same value.")
+        );
     }
     viscosityProperties_.add(name, value, true);
 }
@@ -47,7 +53,7 @@ void Foam::viscosityModels::titanFluid::select(const dictionary& dict)
     // The dictionary of a single phase holds entries of others, too
     if (&dict.parent() != &dictionary::null)
     {
-        titan::checkKeywords
+        checkKeywords
         (
             dict,
             titan::fluidField::keywords()

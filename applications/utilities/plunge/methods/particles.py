@@ -19,7 +19,7 @@ from plunge.scene import Scene
 _REACH, _ABSORBING, _FREEBOARD = 0.35, 0.1, 0.1
 # Least half width and depth over the body's largest radius
 _LEAST_REACH = 3.5
-# c0 over the highest speed that the body could fall at, unless given: eq. 5 of IAC-20-E2.1.9
+# c0 over the highest speed that the body could fall at, or that of long waves, unless given: eq. 5 of IAC-20-E2.1.9
 _SOUND_OVER_SPEED = 10
 # Its steps, for the estimate: plungeSPH's Courant number, over h/(c0 + speed), and h over the spacing
 _COURANT, _SMOOTHING_LENGTH = 0.5, 1.5
@@ -43,8 +43,7 @@ class Particles:
     @property
     def spacing(self) -> float:
         """[m]"""
-        return self.tier["particleSpacing"] * self.scene.scale / self.resolution / (
-            self.tier["planeRefinement"] if self.model == "plane" else 1)
+        return self.tier["particleSpacing"] * self.scene.scale / self.resolution
 
 
 def sections(particles: Particles) -> list[tuple[str, dict[str, Any]]]:
@@ -66,17 +65,14 @@ def sections(particles: Particles) -> list[tuple[str, dict[str, Any]]]:
     high = [spacings(reach + max(end[0], start[0] if scene.immersed else end[0], 0.0)), spacings(reach), 0]
     count = int(np.prod([h - l for axis, (l, h) in enumerate(zip(low, high)) if not (plane and axis == 1)]))
     fall = max(0.0, scene.nose[2] - end[2])
-    fastest = sqrt(scene.speed**2 + 2 * scene.fluids["gravity"] * fall)
-    hydrostatic = scene.immersed or scene.speed**2 < _HIGHEST_FROUDE * scene.fluids["gravity"] * scene.shape.length
-    if hydrostatic:  # eq. 6 of IAC-20-E2.1.9: the weight of the liquid compresses it by half a percent
-        fastest = max(fastest, sqrt(scene.fluids["gravity"] * -low[2] * spacing))
+    gravity = scene.fluids["gravity"]
+    fastest = max(sqrt(scene.speed**2 + 2 * gravity * fall), sqrt(gravity * spacing * -low[2]))
+    hydrostatic = scene.immersed or scene.speed**2 < _HIGHEST_FROUDE * gravity * scene.shape.length
     c0 = float(particles.sound_speed or _SOUND_OVER_SPEED * fastest)
     top = spacings(_FREEBOARD * scale)
 
-    axial, transverse, rotary = scene.shape.added_mass_coefficients()
+    translation, rotation = scene.shape.added_mass_coefficients()
     displaced = share(model) * scene.fluids["liquidDensity"]
-    mass = displaced * scene.shape.volume
-    inertia = displaced * float(np.asarray(scene.shape.inertia)[1, 1])
 
     box = {"liquidMin": low, "liquidMax": high, "tankMax": [*high[:2], top]}
     if plane:  # plungeSPH's plane is x and y
@@ -91,8 +87,8 @@ def sections(particles: Particles) -> list[tuple[str, dict[str, Any]]]:
     return [
         # plungeFoam computes it from the flow
         ("What the liquid adds to the immersed body: an estimate for the coupling, which does not change its result", {
-            "addedMassEstimate": [axial * mass, transverse * mass, transverse * mass],
-            "addedInertiaEstimate": [0.0, rotary * inertia, rotary * inertia],
+            "addedMassEstimate": vector(displaced * scene.shape.volume * translation),
+            "addedInertiaEstimate": vector(displaced * np.diag(scene.shape.inertia) * rotation),
         }),
         ("Particles", {
             "particleSpacing": spacing,

@@ -22,7 +22,6 @@ ENTRIES: dict[str, Check] = {
     "growth": positive,
     "offset": _THREE,
     "stretching": _THREE,
-    "planeRefinement": positive,
     "backgroundSpacing": positive,
     "refinementLevels": count(1),
     "maxCo": positive,

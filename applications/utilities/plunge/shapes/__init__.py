@@ -116,24 +116,21 @@ def _outline(file: Path, scale: float = 1.0) -> Plane:
     if area > 0:  # above the axis it shall go from the nose to the tail
         points = points[::-1]
 
-    def extreme(sign: int) -> int:
+    def extreme(sign: int) -> np.ndarray:
         """The foremost or aftmost point; of a flat face its middle, which becomes a point of its own."""
         nonlocal points
-        at = np.flatnonzero(sign * points[:, 0] > (sign * points[:, 0]).max() - 1e-6 * np.ptp(points[:, 0]))
+        ahead = sign * points[:, 0]
+        at = np.flatnonzero(ahead > ahead.max() - 1e-6 * np.ptp(ahead))
         if len(at) == 1:
-            return int(at[0])
+            return points[at[0]]
         first = next(int(i) for i in at if (i - 1) % len(points) not in at)
-        last = next(int(i) for i in at if (i + 1) % len(points) not in at)
-        middle = (points[first] + points[last]) / 2
-        inside = [(first + k) % len(points) for k in range(1, (last - first) % len(points))]
-        keep = np.ones(len(points), bool)
-        keep[inside] = False
-        points = np.insert(points[keep], int(keep[:first + 1].sum()), middle, axis=0)
-        return int(np.flatnonzero((points == middle).all(axis=1))[0])
+        points = np.roll(points, -first, axis=0)    # the face comes first
+        middle = (points[0] + points[len(at) - 1]) / 2
+        points = np.vstack((points[:1], middle, points[len(at) - 1:]))
+        return middle
 
-    extreme(-1)
-    tail = points[extreme(1)]
-    nose = int(np.argmin(points[:, 0]))
+    front, tail = extreme(-1), extreme(1)
+    nose = int(np.flatnonzero((points == front).all(axis=1))[0])
     points = np.roll(points, -nose, axis=0)
     nose_point = points[0].copy()
     aft = int(np.flatnonzero((points == tail).all(axis=1))[0])
@@ -175,7 +172,7 @@ def _wedge(halfAngle: float, halfWidth: float, length: "float | None" = None) ->
 
 
 def _surface(**entries: Any) -> Shape:
-    from plunge.shapes.surface import Surface
+    from plunge.shapes.surface import Surface   # loads vtk
 
     return Surface(**entries)
 

@@ -10,7 +10,8 @@ import numpy as np
 from plunge.shapes.shape import ShapeError
 
 _SAMPLES = 4001         # of each smooth piece
-_CORNER = np.radians(5)  # a polygon's smaller angles are those of a curve
+# A polygon's angles above the second are corners; those above the first are, where they are several times their neighbours'
+_CORNERS = np.radians(5), np.radians(20)
 
 
 class Curve:
@@ -112,7 +113,8 @@ def through(x: np.ndarray, r: np.ndarray, source: str) -> Curve:
     corners = []
     for i, angle in enumerate(turn):
         around = np.concatenate((turn[max(0, i - 2):i], turn[i + 1:i + 3]))
-        if angle > max(3 * (around.max() if len(around) else 0), _CORNER) or angle > np.radians(40):
+        around = around[around < _CORNERS[1]]
+        if angle > max(3 * around.max(initial=0), _CORNERS[0]) or angle > _CORNERS[1]:
             corners.append(i + 1)
     pieces = []
     for first, last in zip([0, *corners], [*corners, len(x) - 1]):

@@ -4,23 +4,22 @@
 from __future__ import annotations
 
 import numpy as np
+from scipy.special import elliprd
 
 
-def added_mass_of_spheroid(diameter_ratio: float) -> tuple[float, float, float]:
-    """Added mass along the axis, across it and added inertia about a transverse axis, of the spheroid whose diameter is this share
-    of its length, over the displaced fluid's (Lamb 1932, arts. 114-115) [-]."""
-    square = 1 - diameter_ratio**2  # of the eccentricity; negative where it is oblate
-    if abs(square) < 1e-6:
-        return 0.5, 0.5, 0.0
-    if square > 0:
-        e = np.sqrt(square)
-        log = np.log((1 + e) / (1 - e))
-        alpha = 2 * (1 - e**2) / e**3 * (log / 2 - e)
-        beta = 1 / e**2 - (1 - e**2) / (2 * e**3) * log
-    else:
-        # Lamb's zeta of planetary spheroids, art. 108
-        zeta = 1 / np.sqrt(diameter_ratio**2 - 1)
-        alpha = 2 * (zeta**2 + 1) * (1 - zeta * np.arctan(1 / zeta))
-        beta = zeta * (zeta**2 + 1) * np.arctan(1 / zeta) - zeta**2
-    rotary = square**2 * (beta - alpha) / ((2 - square) * (2 * square - (2 - square) * (beta - alpha)))
-    return float(alpha / (2 - alpha)), float(beta / (2 - beta)), float(rotary)
+def ellipsoid_added_mass(a: float, b: float, c: float) -> tuple[np.ndarray, np.ndarray]:
+    """Added mass along the axes of an ellipsoid of semi-axes a, b, c in unbounded ideal fluid over the displaced mass, and
+    added inertia about them over the displaced fluid's [-] (Lamb 1932, arts. 114, 115 and 373).
+
+    alpha_i = abc int_0^inf dl/((s_i^2 + l) sqrt((a^2 + l)(b^2 + l)(c^2 + l))), which is 2/3 abc R_D of Carlson.
+    """
+    squares = np.array([a, b, c], dtype=float) ** 2
+    following, last = np.roll(squares, -1), np.roll(squares, -2)
+    alpha = 2 / 3 * a * b * c * elliprd(following, last, squares)
+    difference, total = following - last, following + last
+    change = np.roll(alpha, -2) - np.roll(alpha, -1)
+    # About the axis of a body of revolution: 0/0, and no fluid moves
+    turns = np.abs(difference) > 1e-9 * total
+    safe = np.where(turns, difference, 1)
+    rotary = np.where(turns, safe**2 * change / (total * (2 * safe - total * change)), 0)
+    return alpha / (2 - alpha), rotary

@@ -51,10 +51,10 @@ class Plane(Shape):
     def nose_radius(self) -> float:
         return min(self.upper.nose_radius, self.lower.nose_radius)
 
-    def added_mass_coefficients(self) -> tuple[float, float, float]:
+    def added_mass_coefficients(self) -> "tuple[np.ndarray, np.ndarray]":
         """Those of the ellipse of this length and width (Lamb 1932, art. 71)."""
         ratio = self.slenderness
-        return ratio, 1 / ratio, (1 - ratio**2) ** 2 / (2 * ratio * (1 + ratio**2))
+        return np.array([ratio, 0, 1 / ratio]), np.array([0, (1 - ratio**2) ** 2 / (2 * ratio * (1 + ratio**2)), 0])
 
     def outline(self) -> np.ndarray:
         """Points (n, 2) in x, z: from the nose above the axis to the tail, and back below it."""

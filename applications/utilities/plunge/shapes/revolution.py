@@ -7,7 +7,7 @@ import numpy as np
 from numpy.polynomial import Polynomial
 
 from plunge.shapes.curve import Curve
-from plunge.shapes.ellipsoid import added_mass_of_spheroid
+from plunge.shapes.ellipsoid import ellipsoid_added_mass
 from plunge.shapes.shape import Shape
 
 _RINGS, _AROUND = 160, 96
@@ -61,9 +61,10 @@ class Revolution(Shape):
     def nose_radius(self) -> float:
         return self.curve.nose_radius
 
-    def added_mass_coefficients(self) -> tuple[float, float, float]:
+    def added_mass_coefficients(self) -> "tuple[np.ndarray, np.ndarray]":
         """Those of the spheroid of this length and volume in unbounded fluid."""
-        return added_mass_of_spheroid(np.sqrt(6 * self.volume / (np.pi * self.length)) / self.length)
+        diameter = float(np.sqrt(6 * self.volume / (np.pi * self.length)))
+        return ellipsoid_added_mass(self.length, diameter, diameter)
 
     def _rings(self) -> np.ndarray:
         """c of the surface's rings, nose and tail among them: corners are kept."""
@@ -149,8 +150,9 @@ class NACA(Revolution):
     def slenderness(self) -> float:
         return self._thickness_ratio
 
-    def added_mass_coefficients(self) -> tuple[float, float, float]:
-        return added_mass_of_spheroid(self._thickness_ratio)
+    def added_mass_coefficients(self) -> "tuple[np.ndarray, np.ndarray]":
+        """Those of the spheroid of this thickness ratio."""
+        return ellipsoid_added_mass(1.0, self._thickness_ratio, self._thickness_ratio)
 
     def _rings(self) -> np.ndarray:
         """Equally spaced in sqrt(x/length), so that the round nose has the finest."""

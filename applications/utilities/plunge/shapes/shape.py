@@ -58,8 +58,8 @@ class Shape(ABC):
         """Radius of curvature at the nose [m]: 0 where it is pointed, that of its flat face where it is flat."""
 
     @abstractmethod
-    def added_mass_coefficients(self) -> tuple[float, float, float]:
-        """Estimates, over the displaced fluid's: added mass along the axis, across it, added inertia about a transverse axis [-]."""
+    def added_mass_coefficients(self) -> "tuple[np.ndarray, np.ndarray]":
+        """Estimates, over the displaced fluid's: added mass along the body frame's axes, and added inertia about them [-]."""
 
     @abstractmethod
     def surface(self) -> Triangles:

@@ -11,12 +11,16 @@ import numpy as np
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
-from scipy.special import elliprd
+
+from plunge.shapes.ellipsoid import ellipsoid_added_mass
+from plunge.shapes.shape import Shape, ShapeError
 
 _READERS = {".stl": "vtkSTLReader", ".obj": "vtkOBJReader"}
 
 # Points nearer to each other than this share of the diagonal are one: many times the rounding of an STL's single precision.
 _MERGED = 1e-6
+# Diameter of a body of revolution over that of the cylinder of its volume and length: a spheroid has 1.22, NACA-0010 1.35
+_FULLNESS = 1.3
 # Longest and shortest body [m] that is believed
 _LONGEST, _SHORTEST = 100.0, 1e-3
 # How far the mirror image of a symmetric body may lie from it, in lengths: the facets of a round body need not be mirrored.
@@ -29,26 +33,8 @@ _EQUAL, _NEAR = 0.02, 15.0
 _CAP = 0.01
 
 
-class SurfaceError(Exception):
+class SurfaceError(ShapeError):
     """A surface that cannot be a body; the message names file, place and what is expected."""
-
-
-def ellipsoid_added_mass(a: float, b: float, c: float) -> tuple[np.ndarray, np.ndarray]:
-    """Added mass along the axes of an ellipsoid of semi-axes a, b, c in unbounded ideal fluid over the displaced mass, and
-    added inertia about them over the displaced fluid's [-] (Lamb 1932, arts. 114, 115 and 373).
-
-    alpha_i = abc int_0^inf dl/((s_i^2 + l) sqrt((a^2 + l)(b^2 + l)(c^2 + l))), which is 2/3 abc R_D of Carlson.
-    """
-    squares = np.array([a, b, c], dtype=float) ** 2
-    following, last = np.roll(squares, -1), np.roll(squares, -2)
-    alpha = 2 / 3 * a * b * c * elliprd(following, last, squares)
-    difference, total = following - last, following + last
-    change = np.roll(alpha, -2) - np.roll(alpha, -1)
-    # About the axis of a body of revolution: 0/0, and no fluid moves
-    turns = np.abs(difference) > 1e-9 * total
-    safe = np.where(turns, difference, 1)
-    rotary = np.where(turns, safe**2 * change / (total * (2 * safe - total * change)), 0)
-    return alpha / (2 - alpha), rotary
 
 
 def _edges(triangles: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -262,15 +248,13 @@ def _nearest_axis(direction: np.ndarray) -> np.ndarray:
     return axis
 
 
-class Surface:
+class Surface(Shape):
     """The body inside a closed surface, in the body's frame [m]: origin at the nose (the foremost point's place on the axis
     that runs through the centroid), x aft, y to the side, z dorsal. All of it is exact for the polyhedron but `nose_radius`
     and the added mass.
 
     `notes` says what was found or changed, and how to overrule it.
     """
-
-    is_revolution = False
 
     def __init__(self, file: Path, scale: float = 1.0, nose: Sequence[float] | None = None, dorsal: Sequence[float] | None = None):
         self.file, source = Path(file), str(file)
@@ -293,8 +277,8 @@ class Surface:
         if not _SHORTEST <= size <= _LONGEST:
             raise SurfaceError(f"{source}: the body is {size:.4g} m long with a scale of {scale:g}; expected {_SHORTEST:g} to "
                                f"{_LONGEST:g} m: give the entry 'scale', metres per unit of the file (0.001 for millimetres)")
-        self.volume, centroid, second = _moments(points, triangles)
-        if self.volume < 1e-9 * size**3:
+        self._volume, centroid, second = _moments(points, triangles)
+        if self._volume < 1e-9 * size**3:
             raise SurfaceError(f"{source}: encloses no volume; expected the surface of a body")
 
         forward = self._forward(points, triangles, centroid, second) if nose is None else _unit(nose, "nose", source)
@@ -398,6 +382,15 @@ class Surface:
         return self._points, self._triangles
 
     @property
+    def volume(self) -> float:
+        return self._volume
+
+    @property
+    def slenderness(self) -> float:
+        """Of a body of revolution, as full as most, of this volume and length: wings do not count [-]."""
+        return _FULLNESS * float(np.sqrt(4 * self.volume / (np.pi * self.length))) / self.length
+
+    @property
     def centre(self) -> np.ndarray:
         """Centre of volume in the body's frame [m]."""
         return self.centroid
@@ -424,7 +417,7 @@ class Surface:
         return np.trace(self._second) * np.eye(3) - self._second
 
     @cached_property
-    def is_symmetric(self) -> bool:
+    def isSymmetric(self) -> bool:
         """About y = 0, to 0.2 % of the length."""
         return _asymmetry(self._points - self.centroid, self._triangles, np.array([0.0, 1.0, 0.0])) < _ASYMMETRY * self.length
 
@@ -452,22 +445,3 @@ def _asymmetry(points: np.ndarray, triangles: np.ndarray, side: np.ndarray) -> f
     probes = np.vstack((points, points[triangles].mean(axis=1)))
     probes = probes[:: max(1, len(probes) // _PROBES)]
     return float(np.abs(_distance(points, triangles, probes - 2 * np.outer(probes @ side, side))).max())
-
-
-def read(entry: dict[str, Any], folder: Path, source: str) -> Surface:
-    """The body of a scene's entry `shape { type surface; file ...; scale ...; nose (...); dorsal (...); }`; `folder` is what
-    `file` is relative to, `source` names the scene in messages."""
-    known = ("type", "file", "scale", "nose", "dorsal")
-    for key in entry:
-        if key not in known:
-            raise SurfaceError(f"{source}: unknown entry '{key}' of shape; expected: {' '.join(known)}")
-    if not isinstance(entry.get("file"), str):
-        raise SurfaceError(f"{source}: entry 'file' of shape is {entry.get('file', 'missing')}; expected an STL or OBJ file")
-    scale = entry.get("scale", 1.0)
-    if isinstance(scale, bool) or not isinstance(scale, (int, float)):
-        raise SurfaceError(f"{source}: entry 'scale' of shape is {scale}; expected metres per unit of the file")
-    for key in ("nose", "dorsal"):
-        value = entry.get(key, [1, 0, 0])
-        if not (isinstance(value, list) and len(value) == 3 and all(type(x) in (int, float) for x in value)):
-            raise SurfaceError(f"{source}: entry '{key}' of shape is {value}; expected a direction in the file's axes, e.g. (1 0 0)")
-    return Surface(folder / entry["file"], float(scale), entry.get("nose"), entry.get("dorsal"))

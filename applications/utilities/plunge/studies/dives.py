@@ -1,17 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Dives of cases/gannetPlunge and their loads, for studies that compare them."""
-import subprocess
 from pathlib import Path
-from typing import Dict, Sequence
 
 import numpy as np
 
 from plunge.foamDictionary import read
 from plunge.results import TRAJECTORY_COLUMNS, read_numbers, read_table, running_mean
-from plunge.studies import REPOSITORY
-from plunge.studies.particleRuns import override
+from plunge.studies.particleRuns import call
 
-CASE = REPOSITORY / "cases/gannetPlunge"
 # OpenFOAM's fastest on these meshes, tier fast: voxels of two cells in the background and half a cell in the body's mesh
 STOCK_STENCIL = ("method trackingInverseDistance; searchBox (-0.61 0 -1.43) (0.65 0.35 1.33); "
                  "searchBoxDivisions ((25 7 56) (100 28 221));")
@@ -24,28 +20,12 @@ WINDOW = 1e-3   # [s], of running means: the body moves by a quarter of its diam
 FIRST = 1e-4    # [s], of the start
 
 
-def setUp(run: Path, options: Sequence[str], changes: Dict[str, str] = {}) -> bool:
-    """Makes the directory of a dive, in which files of the case take other entries, unless it is there. Was it made?"""
-    if run.exists():
-        return False
-    subprocess.run(["plungeCase", "-case", str(CASE), "-run", str(run), *options], check=True, stdout=subprocess.DEVNULL)
-    for file, text in changes.items():
-        override(run, file, text)
-    return True
-
-
-def start(run: Path, options: Sequence[str], changes: Dict[str, str] = {}) -> "subprocess.Popen[bytes]":
-    """Begins a dive, or goes on with it. Its steps are in <run>.log."""
-    setUp(run, options, changes)
-    with run.with_suffix(".log").open("w") as log:
-        return subprocess.Popen([str(CASE / "Allrun"), "-run", str(run), *options], stdout=log, stderr=subprocess.STDOUT)
-
-
-def finish(*dives: "subprocess.Popen[bytes]") -> None:
-    """Waits for them; says where it has gone wrong."""
-    for dive in dives:
-        if dive.wait():
-            raise SystemExit(f"a dive has failed: {' '.join(map(str, dive.args))}; see the file .log beside its directory")
+def mesh(run: Path) -> None:
+    """The composite mesh of a prepared dive, and its fields as they are in the case."""
+    for program in ("plungeBodyMesh", "gmshToFoam -keepOrientation body.msh", "createPatch -overwrite", "blockMesh -case background",
+                    "snappyHexMesh -case background -overwrite", "mergeMeshes . background -overwrite"):
+        call(run, *program.split())
+    (run / "0.orig").rename(run / "0")
 
 
 class Dive:

@@ -2,14 +2,15 @@
 """The dive's body, fixed in a stream of the liquid without a surface: its drag in plungeFoam."""
 import shutil
 from pathlib import Path
-from typing import Any, Dict, NamedTuple, Sequence, Tuple
+from typing import NamedTuple, Sequence, Tuple
 
 import numpy as np
 
 from plunge.foamDictionary import read
-from plunge.studies.dives import setUp
 from plunge.studies.foamFields import numbers
 from plunge.studies.particleRuns import CONTROL, call, isComplete, override
+from plunge.studies.scenes import once
+from plunge.studies.scenes import prepare as prepareScene
 
 SOLVER = "plungeFoam"
 TRAVEL = 2      # of the stream, in body lengths: the layer is as long as the body after one
@@ -24,18 +25,15 @@ class Drag(NamedTuple):
     drift: float
 
 
-def prepare(run: Path, options: Sequence[str]) -> Dict[str, Any]:
-    """Meshes and boundary conditions of a run of one body mesh, unless they are there. Entries of its plungeGenerated."""
-    made = setUp(run, ["-mesh", "single", "-np", "1", *options])
+def make(run: Path, options: Sequence[str]) -> None:
+    """Meshes and boundary conditions of a run of one body mesh."""
+    prepareScene("gannetPlunge", run, ["-mesh", "single", "-np", "1", *options])
     given = read(run / "system/plungeGenerated")
-    if not made:
-        return given
-
     stream = np.negative(given["forward"])*given["speed"]
     inflow = "({:.12g} {:.12g} {:.12g})".format(*stream)
     override(run, "constant/dynamicMeshDict", "dynamicFvMesh staticFvMesh;")
     override(run, "constant/sceneProperties",
-             "body none; meshMotion none; gravity off; surfaceTension off; initialFlow fields;")
+             "gravity off; surfaceTension off; initialFlow fields;")
     length = given["bodyLength"]/given["speed"]
     override(run, CONTROL, f"endTime {TRAVEL*length}; writeInterval {TRAVEL*length}; maxCo 2; maxAlphaCo 2; "
              "#remove functions\nfunctions { forces { type forces; libs (forces); patches (body); rho rho; CofR (0 0 0); } }")
@@ -50,7 +48,6 @@ def prepare(run: Path, options: Sequence[str]) -> Dict[str, Any]:
     call(run, "gmshToFoam", "-keepOrientation", "body.msh")
     call(run, "createPatch", "-overwrite")
     shutil.copytree(run / "0.orig", run / "0")
-    return given
 
 
 def forces(run: Path) -> Tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -59,8 +56,9 @@ def forces(run: Path) -> Tuple[np.ndarray, np.ndarray, np.ndarray]:
     return table[:, 0], table[:, 4:7], table[:, 7:10]
 
 
-def drag(run: Path, given: Dict[str, Any]) -> Drag:
+def drag(run: Path) -> Drag:
     """Of a finished run."""
+    given = read(run / "system/plungeGenerated")
     time, pressure, viscous = forces(run)
     axis, share = np.negative(given["forward"]), 1 if given["model"] == "full" else 2
     late = time > time[-1]*(1 - MEAN/TRAVEL)
@@ -71,10 +69,8 @@ def drag(run: Path, given: Dict[str, Any]) -> Drag:
                 float(100*(np.mean(total[late])/np.mean(total[before]) - 1)))
 
 
-def solve(run: Path, options: Sequence[str]) -> Drag:
-    """The drag of the body, by the options of plungeCase; a run that is complete stays."""
-    given = prepare(run, options)
+def solve(run: Path, options: Sequence[str]) -> None:
+    """Runs it to its end, by the options of plungeCase."""
+    once(run, lambda: make(run, options), "ready")
     if not isComplete(run, SOLVER):
-        print(f"Running in {run}", flush=True)
         call(run, SOLVER)
-    return drag(run, given)

@@ -2,7 +2,7 @@
 """What a number from three meshes is worth: Celik, Ghia, Roache, Freitas and Raad, J. Fluids Eng. 130, 078001 (2008)."""
 from dataclasses import dataclass
 from math import exp, expm1, inf, isfinite, log, nan
-from typing import Sequence
+from typing import List, Optional, Sequence
 
 SAFETY = 1.25           # of the index
 LIMIT = 50.0            # of an order's magnitude
@@ -97,3 +97,16 @@ def gridConvergence(sizes: Sequence[float], values: Sequence[float], least: floa
         SAFETY*error(fineError, share(fineRatio)), SAFETY*error(coarseError, share(coarseRatio)),
         SAFETY*max(error(coarse, share(coarseRatio)), error(fine, 1 + share(fineRatio))),
     )
+
+
+def levels(sizes: Sequence[float], values: Sequence[float], least: float = 0, most: float = inf) -> List[Optional[float]]:
+    """Uncertainty of each of three values and more, from the finest mesh to the coarsest, in their unit: of the finest its index, of
+    those between two others middleUncertainty; None of the coarsest, and where there are fewer than three."""
+    found: List[Optional[float]] = [None]*len(values)
+    for i in range(len(values) - 2):
+        if all(map(isfinite, values[i:i + 3])):
+            three = gridConvergence(sizes[i:i + 3], values[i:i + 3], least, most)
+            found[i + 1] = three.middleUncertainty
+            if i == 0:
+                found[0] = SAFETY*abs(values[0] - three.extrapolated)
+    return found
