@@ -10,67 +10,126 @@ import pytest
 from conftest import REPOSITORY
 from tutorials import cellVolumes, compare, foam, setEntry, setUp, solve, steps
 
-# How each case of plungeFoam runs a few steps.
-CASES = {
-    "gannetPlunge": ("-resolution", "0.7", "-set", "dive.travel=0.02", "-set", "output.frames=1"),
-}
+# Scenes without a body: method, options of the run.
+TANKS = [
+    ("stillTank", "particles", ("-resolution", 0.4)), ("stillTank", "meshes", ()),
+    ("damBreak", "particles", ("-resolution", 0.5)), ("damBreak", "particles", ("-resolution", 0.5, "-np", 2)),
+    ("damBreak", "meshes", ()), ("damBreak", "meshes", ("-np", 2)),
+    ("damBreak", "particles", ("-model", "full")), ("damBreak", "meshes", ("-model", "full")),
+    ("yehPetroff", "particles", ("-resolution", 0.75)), ("yehPetroff", "meshes", ()),
+    ("kleefsman", "particles", ("-resolution", 0.5)), ("kleefsman", "meshes", ("-resolution", 0.5)),
+]
 
-# Those of plungeSPH, with the options of each run.
-PARTICLES = [("stillTank", ()), ("damBreakParticles", ()), ("damBreakParticles", ("-dimensions", 3)),
-             ("yehPetroff", ("-spacing", 0.02)), ("kleefsman", ("-spacing", 0.055))]
+CONE_25 = ("-set", "body.shape.halfAngle=25", "-set", "body.shape.length=0.3208", "-set", "body.mass=0.59078", "-set", "entry.drop=1")
+# Those with a body that falls into the liquid: the diameter over the speed at contact [s].
+FALLING = [
+    ("fallingCylinder", "particles", ("-resolution", 0.25), 0.11/2.955), ("fallingCylinder", "meshes", ("-resolution", 0.5), 0.11/2.955),
+    ("fallingCone", "particles", ("-resolution", 0.8), 0.052/3.132), ("fallingCone", "meshes", ("-resolution", 0.5), 0.052/3.132),
+    ("fallingCone", "particles", ("-resolution", 0.8, *CONE_25), 0.052/4.429),
+]
 
-# Those with a body that falls into the liquid: options, and the diameter over the speed at contact [s].
-FALLING = [("fallingCylinder", ("-spacing", 0.011), 0.11/2.955), ("fallingCone", ("-spacing", 0.0065), 0.052/3.132),
-           ("fallingCone", ("-spacing", 0.0065, "-angle", 25, "-drop", 1), 0.052/4.429)]
+# Those with a body that is released in the liquid: how fast it falls over gravity, at first, and how near that comes so coarsely.
+RELEASED = [
+    ("addedMass", "meshes", ("-resolution", 0.5), 0.5, 9/11, 0.02), ("addedMass", "particles", ("-resolution", 0.25, "-set", "entry.depth=6"), 0.1, 9/11, 0.1),
+    ("sphereDecay", "meshes", ("-resolution", 0.5), 0.3, None, None), ("sphereDecay", "particles", ("-resolution", 0.3), 0.3, None, None),
+]
+
+
+def runScene(case: str, run: Path, *options: object) -> str:
+    """plungeCase and the Allrun that it makes; what both say."""
+    said = foam("plungeCase", REPOSITORY / "cases" / case, "-np", 1, "-run", run, *options, case=run.parent, log="log.plungeCase")
+    return said + foam(run / "Allrun", case=run.parent, log="log.Allrun")
+
+
+def table(run: Path, name: str) -> np.ndarray:
+    return np.genfromtxt(run / "results" / f"{name}.csv", delimiter=",", names=True)
 
 
 def test_all_cases_run() -> None:
-    assert {path.parent.name for path in REPOSITORY.glob("cases/*/Allrun")} == {*CASES, *(case for case, *_ in PARTICLES + FALLING)}
+    """And a scene is all that a case has to have."""
+    assert {path.parents[1].name for path in REPOSITORY.glob("cases/*/constant/scene")} == {
+        "gannetPlunge", *(case for case, *_ in TANKS + FALLING + RELEASED)}
+    assert not list(REPOSITORY.glob("cases/*/All*"))
+
+
+@pytest.mark.parametrize("case, method, options", TANKS)
+def test_tanks(case: str, method: str, options: Tuple[object, ...], tmp_path: Path) -> None:
+    """A few steps, in which little moves; by both methods the same tables."""
+    run = tmp_path / "run"
+    runScene(case, run, "-method", method, "-set", "duration=0.02", "-set", "interval=0.002", "-set", "frames=1", *options)
+    if method == "particles":
+        assert re.search(r"^End$", (run / "log.plungeSPH").read_text(), re.MULTILINE)
+        energy = table(run, "energy")
+        assert energy["time_s"][-1] > 0.015 and 1e-4 < energy["max_speed_m_s"][-1] < 1
+        assert (run / "VTK/particles.vtp.series").exists()
+    else:
+        log = (run / "log.plungeFoam").read_text()
+        assert re.search(r"^End$", log, re.MULTILINE) and "Mesh OK" in (run / "log.checkMesh").read_text()
+        volumes = np.array(re.findall(r"^Phase-1 volume fraction = (\S+)  Min\(\S+\) = (\S+)  Max\(\S+\) = (\S+)", log, re.MULTILINE), float)
+        assert np.ptp(volumes[:, 0]) < 1e-6 and volumes[:, 1].min() > -1e-3 and volumes[:, 2].max() < 1.001
+    gauge, height = {"stillTank": ("middle_m", 0.5), "damBreak": ("H1_m", 0.3), "yehPetroff": ("reservoir_m", 0.3),
+                     "kleefsman": ("H4_m", 0.55)}[case]
+    assert table(run, "gauges")[gauge] == pytest.approx(height, rel=0.02)
+    assert {"probes", "walls"} <= {path.stem for path in (run / "results").glob("*.csv")}
+
+
+def test_weight(tmp_path: Path) -> None:
+    """Liquid at rest in a tank of meshes: pressure and the force on the floor are those of its weight."""
+    run = tmp_path / "run"
+    runScene("stillTank", run, "-set", "duration=0.05")
+    weight = 1000*9.81*0.5
+    assert table(run, "walls")["tank_Fz_N_m"][-1] == pytest.approx(-weight, rel=1e-3)
+    assert table(run, "walls")["tank_Fx_N_m"][-1] == pytest.approx(0, abs=1e-3*weight)
+    # Of the middle of the cell that the probe is in
+    assert table(run, "probes")["half_p_Pa"][-1] == pytest.approx(0.5*weight, rel=0.04)
+    assert table(run, "probes")["half_share"][-1] == pytest.approx(1)
+
+
+@pytest.mark.parametrize("case, method, options, time", FALLING)
+def test_fallingBodies(case: str, method: str, options: Tuple[object, ...], time: float, tmp_path: Path) -> None:
+    """Coarse: the body meets the liquid at once, and falls slower than freely from there on."""
+    run = tmp_path / "run"
+    runScene(case, run, "-method", method, "-set", f"duration={0.5*time:.4g}", "-set", "frames=2", *options)
+    fall = table(run, "trajectory")
+    assert abs(fall["penetration_m"][0]) < 0.005 and fall["penetration_m"][-1] > 0.3*fall["speed_m_s"][0]*time
+    assert 0.5*fall["speed_m_s"][0] < fall["speed_m_s"][-1] < fall["speed_m_s"][0] + 0.8*9.81*fall["time_s"][-1]
+
+
+@pytest.mark.parametrize("case, method, options, duration, share, tolerance", RELEASED)
+def test_releasedBodies(case: str, method: str, options: Tuple[object, ...], duration: float, share: float, tolerance: float,
+                        tmp_path: Path) -> None:
+    """From rest: the body is as heavy as its weight less buoyancy, and as inert as its mass and what it sets in motion."""
+    run = tmp_path / "run"
+    runScene(case, run, "-method", method, "-set", f"duration={duration}", "-set", "frames=2", *options)
+    fall = table(run, "trajectory")
+    assert fall["speed_m_s"][0] == 0
+    up = "y" if (case, method) == ("addedMass", "particles") else "z"   # plungeSPH's plane is x and y
+    acceleration = -fall[f"v{up}_m_s"][-1]/fall["time_s"][-1]
+    if share is not None:
+        assert acceleration == pytest.approx(share, rel=tolerance)
+    else:
+        # Lighter than in air by what it displaces, less of it than half a sphere; with an added mass of some half of that
+        assert 0.1*9.81 < acceleration < 0.4*9.81
 
 
 @pytest.mark.parametrize("ranks", [1, 2])
-@pytest.mark.parametrize("case", sorted(CASES))
-def test_case(case: str, ranks: int, tmp_path: Path) -> None:
-    output = foam(REPOSITORY / "cases" / case / "Allrun", *CASES[case], "-np", ranks, "-run", tmp_path / "run", case=tmp_path)
-    run = Path(re.search(r"^Running in (.*)$", output, re.MULTILINE).group(1))
+def test_dive(ranks: int, tmp_path: Path) -> None:
+    run = tmp_path / "run"
+    runScene("gannetPlunge", run, "-resolution", 0.7, "-set", "travel=0.02", "-set", "frames=1", "-np", ranks)
     log = (run / "log.plungeFoam").read_text()
     assert len(steps(log)) >= 3 and re.search(r"^End$", log, re.MULTILINE)
     assert (ranks == 1) == (not list(run.glob("processor*")))
     checkDive(run, len(steps(log)))
 
 
-@pytest.mark.parametrize("threads", [1, 2])
-@pytest.mark.parametrize("case, options", PARTICLES)
-def test_particles(case: str, options: Tuple[object, ...], threads: int, tmp_path: Path) -> None:
-    """As its Allrun sets it up; a few hundred steps, in which little moves."""
-    run = tmp_path / "run"
-    allrun = REPOSITORY / "cases" / case / "Allrun"
-    foam(allrun, *options, "-run", run, "-endTime", 0.02, "-threads", threads, case=tmp_path)
-    assert re.search(r"^End$", (run / "log.plungeSPH").read_text(), re.MULTILINE)
-    energy = np.genfromtxt(run / "postProcessing/energy/0/energy.csv", delimiter=",", names=True)
-    assert energy["time_s"][-1] > 0.015 and 1e-4 < energy["max_speed_m_s"][-1] < 1
-    assert (run / "VTK/particles.vtp.series").exists()
-
-
-@pytest.mark.parametrize("case, options, time", FALLING)
-def test_fallingBodies(case: str, options: Tuple[object, ...], time: float, tmp_path: Path) -> None:
-    """As its Allrun sets it up, coarse: the body meets the liquid at time 0, and falls slower than freely from there on."""
-    run = tmp_path / "run"
-    foam(REPOSITORY / "cases" / case / "Allrun", *options, "-run", run, "-endTime", 0.5*time, "-threads", 1, case=tmp_path)
-    assert re.search(r"^End$", (run / "log.plungeSPH").read_text(), re.MULTILINE)
-    fall = np.genfromtxt(run / "postProcessing/trajectory/0/trajectory.csv", delimiter=",", names=True)
-    assert abs(fall["penetration_m"][0]) < 0.005 and fall["penetration_m"][-1] > 0.3*fall["speed_m_s"][0]*time
-    assert 0.5*fall["speed_m_s"][0] < fall["speed_m_s"][-1] < fall["speed_m_s"][0] + 0.8*9.81*fall["time_s"][-1]
-
-
 @pytest.mark.parametrize("model", ["half", "full"])
 def test_diveOfParticles(model: str, tmp_path: Path) -> None:
     """The dive's scene in plungeSPH, very coarse: the body falls, meets the liquid and is slowed; the report needs no mesh."""
-    foam(REPOSITORY / "cases/gannetPlunge/Allrun", "-solver", "plungeSPH", "-model", model, "-resolution", "0.5", "-np", 2,
-         "-set", "dive.travel=0.05", "-set", "output.frames=2", "-run", tmp_path / "run", case=tmp_path)
     run = tmp_path / "run"
+    runScene("gannetPlunge", run, "-method", "particles", "-model", model, "-resolution", 0.5, "-np", 2, "-set", "travel=0.05",
+             "-set", "frames=2")
     assert re.search(r"^End$", (run / "log.plungeSPH").read_text(), re.MULTILINE)
-    dive = np.genfromtxt(run / "results/trajectory.csv", delimiter=",", names=True)
+    dive = table(run, "trajectory")
     assert dive["speed_m_s"][0] == pytest.approx(25) and dive["penetration_m"][0] == pytest.approx(-0.01, abs=1e-3)
     assert dive["penetration_m"][-1] == pytest.approx(0.04, abs=2e-3)
     assert 0 < dive["speed_m_s"][0] - dive["speed_m_s"][-1] < 1

@@ -48,10 +48,19 @@ class Case:
         points = vtk_to_numpy(data.GetPoints().GetData())
         wall, velocity, pressure = (vtk_to_numpy(data.GetPointData().GetArray(name)) for name in ("wall", "U", "p"))
         near = (wall < 0) & (np.abs(points[:, normal]) <= self.spacing)
-        lines = [line for line, _ in outlines(read_surface(self.body[instant][1]), normal)]
+        lines = self._outlines(read_surface(self.body[instant][1]))
         points, pressure = np.delete(points[near], normal, axis=1), pressure[near]
         return Section(time, points, pressure, np.linalg.norm(velocity[near], axis=1), lines,
                        [self._beside(line, points, pressure) for line in lines], spacing=self.spacing)
+
+    def _outlines(self, body: vtkPolyData) -> list[np.ndarray]:
+        """Closed lines (n, 2) around the body in the plane; in a plane case it is polygons there."""
+        if not self.flat:
+            return [line for line, _ in outlines(body)]
+        points = vtk_to_numpy(body.GetPoints().GetData())[:, :2]
+        polygons = [body.GetCell(k).GetPointIds() for k in range(body.GetNumberOfCells())]
+        numbers = [[ids.GetId(k) for k in range(ids.GetNumberOfIds())] for ids in polygons]
+        return [points[[*polygon, polygon[0]]] for polygon in numbers]
 
     def _beside(self, line: np.ndarray, points: np.ndarray, pressure: np.ndarray) -> np.ndarray:
         """Mean pressure of the particles that are near each point of a line; 0 where there are none."""

@@ -20,6 +20,7 @@ PEAKS = {f"{row['half_angle_deg']} deg": row for row in reference("Boom2024", "p
 HISTORIES = {f"{angle} deg": reference("Boom2024", f"history{angle}") for angle in (45, 12)}
 MEASURED = {angle: Signal(table["Ut_over_h"], table["Cf_mean"]).during(0, END) for angle, table in HISTORIES.items()}
 RUNS = {(45, 0.003): ("full",), (45, 0.002): ("full",), (45, 0.0013): ("full",), (12, 0.003): ("full",), (45, 0.006): ("quick",)}
+CONES = {45: [], 12: ["-set", "body.shape.halfAngle=12", "-set", "body.shape.length=0.3873", "-set", "body.mass=0.60318", "-set", "duration=0.086"]}
 
 
 def computed(done) -> Signal:
@@ -36,7 +37,8 @@ def peak(done) -> int:
 study = Study(
     title="The force on a cone that falls into water is that of the trials",
     runs=[Run("fallingCone", "particles", f"{angle} deg", f"{spacing:g} m", tiers, given={
-        "options": ["-angle", str(angle), "-spacing", str(spacing)]}) for (angle, spacing), tiers in RUNS.items()],
+        "options": CONES[angle], "changes": {"constant/particleProperties": f"geometry {{ spacing {spacing}; }}"}})
+          for (angle, spacing), tiers in RUNS.items()],
     solve=solveScene, sources=("src/smoothedParticles", "src/rigidBody", "applications/solvers/plungeSPH"),
     quantities=[
         *(Quantity(name, "1", lambda done, of=of: float(of(computed(done))[peak(done)]),

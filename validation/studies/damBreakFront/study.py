@@ -40,7 +40,7 @@ def computed(run: Path, spacing: float) -> Signal:
 
 study = Study(
     title="A collapsing column's front is as fast as Martin and Moyce's, and arrives when theirs does",
-    runs=spacings("damBreakParticles", {0.01: ("quick", "full"), 0.005: ("full",)}, {"system/controlDict": "endTime 0.28;"}),
+    runs=spacings("damBreak", {0.01: ("quick", "full"), 0.005: ("full",)}, {"system/controlDict": "endTime 0.28;"}),
     solve=solveScene, sources=("src/smoothedParticles", "applications/solvers/plungeSPH"),
     quantities=[Quantity(name, "1", lambda done, of=of: of(computed(done.path, done.run.size)), converges=True,
                          reference=float(np.mean([*map(of, MEASURED.values())])), uncertainty=float(np.ptp([*map(of, MEASURED.values())])))

@@ -65,8 +65,8 @@ def mean(signal: Signal, start: float) -> float:
 PARTICLES = {"judged": lambda run: run.method == "particles" and not run.variant}
 study = Study(
     title="The pressure of a dam break on a wall is inside the band of a hundred runs",
-    runs=[*spacings("damBreakParticles", {0.01: ("full",), 0.005: ("full",), 0.0025: ("full",)}, CHANGES),
-          *spacings("damBreakParticles", {0.005: ("full",)}, SLIP, "walls slip"), *spacings("damBreakParticles", {0.02: ("quick",)}, CHANGES),
+    runs=[*spacings("damBreak", {0.01: ("full",), 0.005: ("full",), 0.0025: ("full",)}, CHANGES),
+          *spacings("damBreak", {0.005: ("full",)}, SLIP, "walls slip"), *spacings("damBreak", {0.02: ("quick",)}, CHANGES),
           *(Run("damBreak", "meshes", variant, resolution) for variant, resolution in zip(END_WALLS, ("0.01 m", "0.0005 m")))],
     solve=lambda run, path: solveScene(run, path) if run.method == "particles" else endWall(path, run.variant),
     sources=("src/smoothedParticles", "applications/solvers/plungeSPH"),

@@ -67,6 +67,7 @@ def sections(particles: Particles) -> list[tuple[str, dict[str, Any]]]:
     fall = max(0.0, scene.nose[2] - end[2])
     gravity = scene.fluids["gravity"]
     fastest = max(sqrt(scene.speed**2 + 2 * gravity * fall), sqrt(gravity * spacing * -low[2]))
+    hydrostatic = scene.immersed or scene.speed**2 < _HIGHEST_FROUDE * gravity * scene.shape.length
     c0 = float(particles.sound_speed or _SOUND_OVER_SPEED * fastest)
     top = spacings(_FREEBOARD * scale)
 
@@ -92,7 +93,7 @@ def sections(particles: Particles) -> list[tuple[str, dict[str, Any]]]:
         ("Particles", {
             "particleSpacing": spacing,
             **{name: vector(np.multiply(corner, spacing)) for name, corner in box.items()},
-            "hydrostatic": "yes" if scene.immersed or scene.speed**2 < _HIGHEST_FROUDE * scene.fluids["gravity"] * scene.shape.length else "no",
+            "hydrostatic": "yes" if hydrostatic else "no",
             "tankOpen": {"half": ["front", "top"], "quarter": ["left", "front", "top"]}.get(model, ["top"]),
             "absorbingFaces": absorbing,
             "absorbingThickness": _ABSORBING * scale,

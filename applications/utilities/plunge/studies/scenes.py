@@ -13,7 +13,7 @@ from typing import Callable, Mapping, Sequence
 
 from plunge.studies import REPOSITORY
 from plunge.studies.foamFields import times
-from plunge.studies.particleRuns import call, isComplete, override, setUp
+from plunge.studies.particleRuns import call, isComplete, make as make_particles, override
 from plunge.studies.study import Run
 
 MARK = "prepared.json"
@@ -44,10 +44,8 @@ def prepare(scene: str | Path, run: Path, options: Sequence[str] = (), changes: 
     def make() -> None:
         if (case / "system/plungeParameters").exists():
             quietly("plungeCase", "-case", str(case), "-run", str(run), *options)
-        elif (case / "makeCone").exists():
-            quietly(str(case / "makeCone"), *options, str(run))
         else:
-            setUp(str(scene), run)
+            make_particles(scene, run, *options)
         for file, text in changes.items():
             override(run, file, text)
         (run / MARK).write_text(json.dumps({"case": str(case), "options": list(options)}))
