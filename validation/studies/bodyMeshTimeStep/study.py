@@ -12,7 +12,7 @@ from plunge import bodyMesh, diveParameters
 from plunge.bodyGeometry import Body
 from plunge.studies import REPOSITORY
 from plunge.studies.meshTimeStep import inverse_time_step, polar_surface, potential_flow, uniform_flow
-from plunge.studies.study import Done, Quantity, Run, Study
+from plunge.studies.study import Done, Quantity, Run, Study, twin
 
 SPEED = 25.0    # [m/s]
 FLOWS = {"along the axis": 0, "5 deg to the axis": 5, "15 deg to the axis": 15, "of the dive over the fore body": None}
@@ -20,8 +20,7 @@ BUTTERFLY, COLLAPSED = "butterfly", "collapsed"
 
 
 def solve(run: Run, path: Path) -> None:
-    tier, *factor = run.resolution.split()
-    resolution = int(factor[0]) if factor else 1
+    tier, resolution = run.grade[0], int(run.grade[1])
     dive = diveParameters.read(REPOSITORY / "cases/gannetPlunge", {"tier": tier, "resolution": resolution})
     body = Body(float(dive.given["body.length"]), dive.given["body.thicknessRatio"])
     size = diveParameters.mesh_size(body, dive.tier, resolution)
@@ -40,13 +39,6 @@ def step(done: Done, flow: str) -> float:
     return json.loads((done.path / "steps.json").read_text())[flow]
 
 
-def gain(flow: str):
-    def of(done: Done):
-        other = done.beside(variant=COLLAPSED) if done.run.variant == BUTTERFLY else None
-        return other and step(done, flow)/step(other, flow)
-    return of
-
-
 study = Study(
     title="The body mesh allows longer time steps than one with cells collapsed on the axis",
     runs=[Run("gannetPlunge", "meshes", variant, resolution, ("quick", "full") if resolution == "fast" else ("full",))
@@ -54,5 +46,6 @@ study = Study(
     solve=solve, sources=("applications/utilities/plunge/bodyMesh.py",),
     quantities=[Quantity("cells", "1", lambda done: step(done, "cells")),
                 *(Quantity(f"time step at Courant number 1, flow {flow}", "us", lambda done, f=flow: step(done, f)) for flow in FLOWS),
-                *(Quantity(f"time step gained, flow {flow}", "1", gain(flow), least=1 if angle else None) for flow, angle in FLOWS.items())],
+                *(Quantity(f"time step gained, flow {flow}", "1", twin(lambda ours, other, f=flow: step(ours, f)/step(other, f), variant=COLLAPSED),
+                           least=1 if angle else None) for flow, angle in FLOWS.items())],
     headlines=["time step gained, flow 5 deg to the axis"])

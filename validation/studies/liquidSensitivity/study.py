@@ -16,8 +16,8 @@ from plunge.bodyGeometry import Body
 from plunge.foamDictionary import read
 from plunge.results import gather, read_numbers
 from plunge.studies import REPOSITORY
-from plunge.studies.scenes import prepare, solve as solveScene
-from plunge.studies.study import Done, Quantity, Run, Study
+from plunge.studies.scenes import prepare, solve as solveRun
+from plunge.studies.study import Done, Quantity, Run, Study, twin
 
 DIVE, PAPER, KRAKEN = REPOSITORY / "cases/gannetPlunge", "titan", "kraken"
 FACTORS = {PAPER: {}, "density 95 %": {"liquidDensity": 0.95}, "density 105 %": {"liquidDensity": 1.05},
@@ -34,8 +34,8 @@ def solve(run: Run, path: Path) -> None:
     lines = "".join(f"    {entry} {value*FACTORS.get(run.variant, {}).get(entry, 1):.8g};\n" for entry, value in given.items())
     (case / "constant/plungeFluids").write_text("FoamFile { version 2.0; format ascii; class dictionary; object plungeFluids; }\n"
                                                 f"{fluids}\n{{\n{lines}}}\n")
-    prepare(case, path, ["-fluids", fluids, "-np", "1", *run.given["options"]])
-    solveScene(path)
+    prepare(run, path, ["-fluids", fluids], case=case)
+    solveRun(path)
 
 
 def figures(done: Done) -> dict:
@@ -52,23 +52,16 @@ def figures(done: Done) -> dict:
             "viscous deceleration of a turbulent flat plate": 0.075/(log10(reynolds) - 2)**2*unit}
 
 
-def change(name: str):
-    def of(done: Done):
-        paper = done.beside(variant=PAPER) if done.run.variant != PAPER else None
-        return paper and 100*(figures(done)[name]/figures(paper)[name] - 1)
-    return of
-
-
 REPORTED = {"impact deceleration": "m/s2", "peak deceleration": "m/s2", "velocity lost at full immersion": "m/s", **{
     f"viscous deceleration {of}": "m/s2" for of in ("at full immersion", "of a laminar flat plate", "of a turbulent flat plate")}}
 study = Study(
     title="What an error of the liquid's density or viscosity does to the dive",
-    runs=[Run("gannetPlunge", "meshes", name, resolution, tiers, given={"options": options}) for name in (*FACTORS, KRAKEN)
-          for resolution, tiers, options in (("fast", ("full",), ["-tier", "fast"]), ("fast 0.5", ("quick",), ["-resolution", "0.5"]))
-          if tiers == ("full",) or name in (PAPER, "density 105 %")],
+    runs=[Run("gannetPlunge", "meshes", name, resolution, (tier,)) for name in (*FACTORS, KRAKEN)
+          for resolution, tier in (("fast", "full"), ("fast 0.5", "quick")) if tier == "full" or name in (PAPER, "density 105 %")],
     solve=solve, sources=("src/freeSurfaceFlow", "src/oversetMethods", "src/rigidBody", "src/boundaryLayer", "applications/solvers/plungeFoam"),
     quantities=[Quantity("liquid density", "kg/m3", lambda done: figures(done)["liquidDensity"]),
                 Quantity("liquid viscosity", "Pa s", lambda done: figures(done)["liquidViscosity"]),
                 *(Quantity(name, unit, lambda done, n=name: figures(done)[n]) for name, unit in REPORTED.items()),
-                *(Quantity(f"change of {name}", "%", change(name)) for name in REPORTED)],
+                *(Quantity(f"change of {name}", "%", twin(lambda dive, paper, n=name: 100*(figures(dive)[n]/figures(paper)[n] - 1), variant=PAPER))
+                  for name in REPORTED)],
     headlines=["change of velocity lost at full immersion"])

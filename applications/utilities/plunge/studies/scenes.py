@@ -17,6 +17,7 @@ from plunge.studies.particleRuns import call, isComplete, make as make_particles
 from plunge.studies.study import Run
 
 MARK = "prepared.json"
+SOLVERS = {"meshes": "plungeFoam", "particles": "plungeSPH"}
 
 
 def once(run: Path, make: Callable[[], object], mark: str = "prepared") -> bool:
@@ -35,7 +36,7 @@ def quietly(*command: str) -> None:
         raise RuntimeError(f"{' '.join(command)} failed:\n{done.stdout[-2000:]}")
 
 
-def prepare(scene: str | Path, run: Path, options: Sequence[str] = (), changes: Mapping[str, str] = {}) -> bool:
+def prepareCase(scene: str | Path, run: Path, options: Sequence[str] = (), changes: Mapping[str, str] = {}) -> bool:
     """Makes the directory of a run, in which files take other entries, unless it is there. Was it made?
 
     scene: a name in cases/, or a directory like one; options: those of plungeCase; changes: text that takes the place of entries."""
@@ -51,6 +52,15 @@ def prepare(scene: str | Path, run: Path, options: Sequence[str] = (), changes: 
         (run / MARK).write_text(json.dumps({"case": str(case), "options": list(options)}))
 
     return once(run, make)
+
+
+def prepare(run: Run, path: Path, options: Sequence[str] = (), changes: Mapping[str, str] = {}, case: Path | None = None) -> bool:
+    """Prepares a point of a study's matrix: its scene, or a case in its place, by its method, resolution and cores, with options and
+    changes, and those of its `given`."""
+    if (REPOSITORY / "cases" / run.scene / "system/plungeParameters").exists():
+        tier, factor = run.grade
+        options = ["-solver", SOLVERS[run.method], "-tier", tier, "-resolution", factor, "-np", str(run.cores), *options]
+    return prepareCase(case or run.scene, path, [*options, *run.given.get("options", ())], {**changes, **run.given.get("changes", {})})
 
 
 def command(run: Path, cores: int = 1) -> list[str]:
@@ -96,13 +106,10 @@ def again(reference: Path, run: Path, solver: str = "plungeFoam") -> None:
                                                                   *times(reference)))
 
 
-def solveScene(run: Run, directory: Path) -> None:
-    """What most studies' runs are: the scene with `options` and `changes` of its `given`."""
-    options = [*run.given.get("options", ())]
-    if run.given.get("np", True) and (REPOSITORY / "cases" / run.scene / "system/plungeParameters").exists():
-        options += ["-np", str(run.cores)]
-    prepare(run.scene, directory, options, run.given.get("changes", {}))
-    solve(directory, run.cores)
+def solveScene(run: Run, path: Path, options: Sequence[str] = (), changes: Mapping[str, str] = {}) -> None:
+    """Prepares a point of a study's matrix and runs it to its end."""
+    prepare(run, path, options, changes)
+    solve(path, run.cores)
 
 
 def spacings(scene: str, of: Mapping[float, Sequence[str]], changes: Mapping[str, str] = {}, variant: str = "", cores: int = 1) -> list[Run]:
