@@ -7,8 +7,8 @@ factor of a slender body of revolution, 1 + 1.5 (d/l)^1.5 + 7 (d/l)^3 (Hoerner, 
 by, and such factors. Cost: CPU time of a step of the dive's beginning over that of one without a boundary layer on the same mesh."""
 from pathlib import Path
 
-from plunge.bodyGeometry import Body
 from plunge.foamDictionary import read
+from plunge.shapes import NACA
 from plunge.studies.fixedBody import drag, solve as solveBody
 from plunge.studies.friction import line, plateFriction
 from plunge.studies.scenes import solveScene
@@ -39,10 +39,10 @@ def expected(done: Done, form: bool) -> float:
     """Friction that the line gives, ITTC's, of ships, where the layer is turbulent almost throughout, else the one that knows a laminar
     run; or that with the form factor."""
     given, transition = read(done.path / "system/plungeGenerated"), BODIES[done.run.variant][2]
-    of = Body(given["bodyLength"], given["thicknessRatio"])
+    of = NACA(given["bodyLength"], given["thicknessRatio"])
     reynolds = given["liquidDensity"]*given["speed"]*of.length/given["liquidViscosity"]
     unit = given["liquidDensity"]/2*given["speed"]**2*of.wetted_area
-    slender = of.thickness_ratio if form else 0
+    slender = of.slenderness if form else 0
     return (1 + 1.5*slender**1.5 + 7*slender**3)*unit*(line("ITTC57", reynolds) if transition == 5e5 else plateFriction(reynolds, transition))
 
 
@@ -56,7 +56,7 @@ study = Study(
     runs=[*(Run("gannetPlunge", "meshes", name, "fast") for name in BODIES), Run("gannetPlunge", "meshes", f"titan, {LINE}", "fast 0.5", ("quick",)),
           *(Run("gannetPlunge", "meshes", f"{fluids}, {LINE}", "standard") for fluids in ("titan", "water")),
           *(Run("gannetPlunge", "meshes", f"first steps, {layer}{off}", "fast", given={"changes": changes, "options": [
-              "-boundaryLayer", layer, "-set", "dive.travel=0.1", "-set", "output.frames=1"]})
+              "-boundaryLayer", layer, "-set", "travel=0.1", "-set", "frames=1"]})
             for layer in (LINE, WALL) for off, changes in (("", {}), (OFF, SLIP)))],
     solve=solve, sources=("src/boundaryLayer", "src/freeSurfaceFlow", "applications/solvers/plungeFoam"),
     quantities=[

@@ -30,7 +30,7 @@ FIELDS, TABLES = ("alpha.liquid", "U", "p_rgh"), {"path of the body": ("x_m", "z
 def solve(run: Run, path: Path) -> None:
     whole = path.parent / replace(run, variant=WHOLE).name
     if run.variant in (ONE, TWO, WHOLE):
-        if prepare(run, path, ["-set", f"dive.travel={25*DURATION[run.resolution]:g}", "-set", "output.frames=4"], EXACT) and run.variant != WHOLE:
+        if prepare(run, path, ["-set", f"travel={25*DURATION[run.resolution]:g}", "-set", "frames=4"], EXACT) and run.variant != WHOLE:
             converge(path)
         return solveRun(path)
     again(whole, path)

@@ -8,6 +8,7 @@ meshes for first order."""
 from functools import lru_cache
 from pathlib import Path
 
+from plunge.fluids import PAIRS
 from plunge.foamDictionary import read
 from plunge.results import read_numbers
 from plunge.studies import REPOSITORY
@@ -59,9 +60,9 @@ study = Study(
     title="The dive's headline numbers hardly change on a finer mesh",
     runs=[*(Run("gannetPlunge", "meshes", *point(fluids, what), ("full", fluids) if fluids == "titan" else (fluids,),
                 given={"fluids": fluids, "options": BOUNDARY_LAYERS.get(what, ())})
-            for fluids in read(CASE / "constant/plungeFluids") if fluids != "FoamFile"
+            for fluids in read(PAIRS)
             for what in (FINE, HALF_STEPS, *reversed(BOUNDARY_LAYERS), DEFAULT, COARSE)),
-          *(Run("gannetPlunge", "meshes", "titan", f"fast {factor:g}", ("quick",), given={"fluids": "titan", "options": ("-set", "dive.travel=0.2")})
+          *(Run("gannetPlunge", "meshes", "titan", f"fast {factor:g}", ("quick",), given={"fluids": "titan", "options": ("-set", "travel=0.2")})
             for factor in (0.5, 0.6, 0.75))],
     solve=solve, orders=ORDERS, after=writeUncertainties,
     sources=("src/freeSurfaceFlow", "src/oversetMethods", "src/rigidBody", "src/boundaryLayer", "applications/solvers/plungeFoam"),

@@ -5,16 +5,15 @@ and twice the viscosity, and the real Kraken; the vehicle stays the same. Varian
 Nothing is judged. How far the changes for 5 % more and less density are from being opposite says how linear the dive is in the density,
 and bounds the noise of the runs. Beside the viscous deceleration at full immersion stand those of a flat plate of the body's wetted area and
 length at the speed of entry, laminar (Blasius, 1.328/sqrt(Re)) and turbulent (ITTC 1957, 0.075/(log10 Re - 2)^2)."""
-import shutil
 from math import log10, sqrt
 from pathlib import Path
 
 import numpy as np
 
-from plunge import diveParameters
-from plunge.bodyGeometry import Body
-from plunge.foamDictionary import read
+from plunge import fluids as pairs
+from plunge.foamDictionary import read, write_nested
 from plunge.results import gather, read_numbers
+from plunge.shapes import NACA
 from plunge.studies import REPOSITORY
 from plunge.studies.scenes import prepare, solve as solveRun
 from plunge.studies.study import Done, Quantity, Run, Study, twin
@@ -25,16 +24,13 @@ FACTORS = {PAPER: {}, "density 95 %": {"liquidDensity": 0.95}, "density 105 %": 
 
 
 def solve(run: Run, path: Path) -> None:
-    """In a copy of the case that has these fluids."""
-    fluids = KRAKEN if run.variant == KRAKEN else PAPER
-    given = diveParameters.read(DIVE, {"fluids": fluids}).fluids
-    case = path.with_name(f"{path.name}.case")
-    shutil.rmtree(case, ignore_errors=True)
-    shutil.copytree(DIVE, case, ignore=shutil.ignore_patterns("run", "Allrun", "Allclean"))
-    lines = "".join(f"    {entry} {value*FACTORS.get(run.variant, {}).get(entry, 1):.8g};\n" for entry, value in given.items())
-    (case / "constant/plungeFluids").write_text("FoamFile { version 2.0; format ascii; class dictionary; object plungeFluids; }\n"
-                                                f"{fluids}\n{{\n{lines}}}\n")
-    prepare(run, path, ["-fluids", fluids], case=case)
+    """From the dive's scene with these fluids."""
+    name = KRAKEN if run.variant == KRAKEN else PAPER
+    given = {entry: value*FACTORS.get(run.variant, {}).get(entry, 1) for entry, value in pairs.resolve(name, "the study")[1].items()}
+    scene = path.with_name(f"{path.name}.scene")
+    scene.parent.mkdir(parents=True, exist_ok=True)
+    write_nested(scene, "The dive with other fluids", {**read(DIVE / "constant/scene"), "fluids": given})
+    prepare(run, path, scene=scene)
     solveRun(path)
 
 
@@ -43,7 +39,7 @@ def figures(done: Done) -> dict:
     given, track = read(done.path / "system/plungeGenerated"), gather(done.path)["trajectory"]
     found = {name: value for name, (value, _) in read_numbers(done.path / "results/summary.csv").items()}
     along = sum(track[f"Fv{axis}_N"]*track[f"v{axis}_m_s"] for axis in "xyz")/track["speed_m_s"]
-    body = Body(given["bodyLength"], given["thicknessRatio"])
+    body = NACA(given["bodyLength"], given["thicknessRatio"])
     reynolds = given["liquidDensity"]*given["speed"]*body.length/given["liquidViscosity"]
     unit = given["liquidDensity"]/2*given["speed"]**2*body.wetted_area/given["bodyMass"]
     immersed = -float(np.interp(found["full immersion time"], track["time_s"], along))/given["bodyMass"]

@@ -35,7 +35,7 @@ def own(of):
 study = Study(
     title="The dive on an overset mesh is that on a single mesh",
     runs=[Run("gannetPlunge", "meshes", mesh, resolution, (tier,), given={"options": ["-mesh", mesh, *options]}) for mesh in (OVERSET, SINGLE)
-          for resolution, tier, options in (("fast", "full", []), ("fast 2", "fine", []), ("fast 0.5", "quick", ["-set", "dive.travel=0.3"]))],
+          for resolution, tier, options in (("fast", "full", []), ("fast 2", "fine", []), ("fast 0.5", "quick", ["-set", "travel=0.3"]))],
     solve=solveScene, sources=("src/oversetMethods", "src/freeSurfaceFlow", "src/rigidBody", "applications/solvers/plungeFoam"),
     quantities=[
         Quantity("largest axial load, running mean", "N", lambda done: float(dive(done.path).mean["axial"].max())),

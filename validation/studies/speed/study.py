@@ -33,7 +33,7 @@ def solve(run: Run, path: Path) -> None:
         return solveScene(run, path, ["-mesh", "single" if run.variant == REFERENCE else "overset"], DIVES[run.variant])
     count, length = STEPS[run.resolution]
     changes = {CONTROL: f"adjustTimeStep no; deltaT {length};", **(MULTIGRID if run.variant == GAMG else {})}
-    solveScene(run, path, ["-set", f"dive.travel={25*count*length:g}", "-set", "output.frames=1"], changes)
+    solveScene(run, path, ["-set", f"travel={25*count*length:g}", "-set", "frames=1"], changes)
 
 
 def against(variant: str, value, *of: str, scene: str = "gannetPlunge"):

@@ -49,6 +49,11 @@ class Run:
         return repr((self.key, sorted(self.given.items())))
 
     @property
+    def graded(self) -> bool:
+        """Is its resolution a tier, not a length or a time step?"""
+        return not self.resolution.endswith((" m", " s"))
+
+    @property
     def grade(self) -> tuple[str, str]:
         """Tier and factor of the counts, where they have no length."""
         tier, factor, *_ = [*re.findall("[a-z]+", self.resolution), "fast"][:1] + [*re.findall(r"[\d.]+", self.resolution), "1"]
