@@ -8,11 +8,11 @@ where the flow crosses the axis."""
 import json
 from pathlib import Path
 
-from plunge import bodyMesh, diveParameters
-from plunge.bodyGeometry import Body
+from plunge import meridianMesh, scene
+from plunge.methods import meshes, tiers
 from plunge.studies import REPOSITORY
 from plunge.studies.meshTimeStep import inverse_time_step, polar_surface, potential_flow, uniform_flow
-from plunge.studies.study import Done, Quantity, Run, Study
+from plunge.studies.study import Done, Quantity, Run, Study, twin
 
 SPEED = 25.0    # [m/s]
 FLOWS = {"along the axis": 0, "5 deg to the axis": 5, "15 deg to the axis": 15, "of the dive over the fore body": None}
@@ -20,12 +20,10 @@ BUTTERFLY, COLLAPSED = "butterfly", "collapsed"
 
 
 def solve(run: Run, path: Path) -> None:
-    tier, *factor = run.resolution.split()
-    resolution = int(factor[0]) if factor else 1
-    dive = diveParameters.read(REPOSITORY / "cases/gannetPlunge", {"tier": tier, "resolution": resolution})
-    body = Body(float(dive.given["body.length"]), dive.given["body.thicknessRatio"])
-    size = diveParameters.mesh_size(body, dive.tier, resolution)
-    mesh = bodyMesh.extrude((bodyMesh.butterfly_surface if run.variant == BUTTERFLY else polar_surface)(size), body, size)
+    tier, resolution = run.grade[0], int(run.grade[1])
+    dive = scene.read(REPOSITORY / "cases/gannetPlunge")
+    body, size = dive.shape, meshes.Meshes(dive, tiers.read(tier, {}), resolution, 1, "half", "overset").size()
+    mesh = meridianMesh.extrude((meridianMesh.butterfly_surface if run.variant == BUTTERFLY else polar_surface)(size), body, size)
     found = {"cells": len(mesh.hexahedra)}
     for name, angle in FLOWS.items():
         rate = inverse_time_step(mesh, potential_flow(body, SPEED) if angle is None else uniform_flow(angle, SPEED))
@@ -40,19 +38,13 @@ def step(done: Done, flow: str) -> float:
     return json.loads((done.path / "steps.json").read_text())[flow]
 
 
-def gain(flow: str):
-    def of(done: Done):
-        other = done.beside(variant=COLLAPSED) if done.run.variant == BUTTERFLY else None
-        return other and step(done, flow)/step(other, flow)
-    return of
-
-
 study = Study(
     title="The body mesh allows longer time steps than one with cells collapsed on the axis",
     runs=[Run("gannetPlunge", "meshes", variant, resolution, ("quick", "full") if resolution == "fast" else ("full",))
           for resolution in ("fast", "fast 2", "standard") for variant in (BUTTERFLY, COLLAPSED)],
-    solve=solve, sources=("applications/utilities/plunge/bodyMesh.py",),
+    solve=solve, sources=("applications/utilities/plunge/meridianMesh.py",),
     quantities=[Quantity("cells", "1", lambda done: step(done, "cells")),
                 *(Quantity(f"time step at Courant number 1, flow {flow}", "us", lambda done, f=flow: step(done, f)) for flow in FLOWS),
-                *(Quantity(f"time step gained, flow {flow}", "1", gain(flow), least=1 if angle else None) for flow, angle in FLOWS.items())],
+                *(Quantity(f"time step gained, flow {flow}", "1", twin(lambda ours, other, f=flow: step(ours, f)/step(other, f), variant=COLLAPSED),
+                           least=1 if angle else None) for flow, angle in FLOWS.items())],
     headlines=["time step gained, flow 5 deg to the axis"])

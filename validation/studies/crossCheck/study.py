@@ -16,7 +16,7 @@ from plunge.studies.memory import peakMemory
 from plunge.studies.particleRuns import CONTROL
 from plunge.studies.scenes import prepare, solveScene
 from plunge.studies.signals import Signal, rms
-from plunge.studies.study import Done, Quantity, Run, Study
+from plunge.studies.study import Done, Quantity, Run, Study, twin
 
 WINDOW = 0.0145/25  # spacing of the particles over the speed [s]
 MILLION = "first steps"
@@ -25,7 +25,7 @@ MILLION = "first steps"
 def solve(run: Run, path: Path) -> None:
     if run.variant != MILLION:
         return solveScene(run, path)
-    prepare(run.scene, path, ["-solver", "plungeSPH", "-tier", "fine"], {CONTROL: "endTime 5e-5; writeInterval 5e-5;"})
+    prepare(run, path, changes={CONTROL: "endTime 5e-5; writeInterval 5e-5;"})
     subprocess.run(["plungeBodySurface", "-case", path], check=True)
     peakMemory(path, "plungeSPH", "-threads", "2")
 
@@ -46,13 +46,6 @@ def figures(done: Done) -> dict:
             "time from contact to peak, running mean": float(wet.time[wet.value.argmax()] - contact)}
 
 
-def over(name: str):
-    def of(done: Done):
-        mesh = done.beside(method="meshes") if done.run.method == "particles" else None
-        return mesh and figures(done)[name]/figures(mesh)[name]
-    return of
-
-
 def overlay(done, file: Path) -> None:
     dives = [each.path for each in done if each.run.variant != MILLION]
     subprocess.run(["plungeOverlay", *dives, "-mean", str(WINDOW), "-o", file], check=True)
@@ -64,15 +57,12 @@ UNITS = {"velocity lost at full immersion": "m/s", "peak deceleration": "m/s2", 
 MEMORY = {"particles with walls and body": "1", "computation's memory per particle": "byte", "peak memory": "GiB", "peak memory per particle": "byte"}
 study = Study(
     title="Meshes and particles side by side in the same dive",
-    runs=[*(Run("gannetPlunge", method, f"{fluids}, {layer}", resolution, tiers, cores, {"options": [
-              "-fluids", fluids, "-solver", solver, "-boundaryLayer", layer.split()[-1], *options]})
-            for fluids in ("titan", "water") for method, solver, layer, cores in (
-                ("meshes", "plungeFoam", "boundary layer auto", 1), ("meshes", "plungeFoam", "boundary layer none", 1),
-                ("particles", "plungeSPH", "boundary layer none", 1))
-            for resolution, tiers, options in (("fast", ("full",), []), ("fast 0.5", ("quick",), ["-resolution", "0.5"]))
-            if tiers == ("full",) or fluids == "titan" and layer.endswith("none")),
+    runs=[*(Run("gannetPlunge", method, f"{fluids}, boundary layer {layer}", resolution, (tier,), given={
+              "options": ["-fluids", fluids, "-boundaryLayer", layer]})
+            for fluids in ("titan", "water") for method, layer in (("meshes", "auto"), ("meshes", "none"), ("particles", "none"))
+            for resolution, tier in (("fast", "full"), ("fast 0.5", "quick")) if tier == "full" or (fluids, layer) == ("titan", "none")),
           Run("gannetPlunge", "particles", MILLION, "fine", cores=2)],
     solve=solve, sources=("src/freeSurfaceFlow", "src/oversetMethods", "src/rigidBody", "src/smoothedParticles", "applications/solvers"),
     quantities=[*(Quantity(name, unit, lambda done, n=name: figures(done).get(n)) for name, unit in {**UNITS, **MEMORY}.items()),
-                *(Quantity(f"{name}, over that of the mesh", "1", over(name)) for name in UNITS)],
+                *(Quantity(f"{name}, over that of the mesh", "1", twin(lambda ours, mesh, n=name: figures(ours)[n]/figures(mesh)[n], method="meshes")) for name in UNITS)],
     headlines=["velocity lost at full immersion, over that of the mesh"], figure=overlay)

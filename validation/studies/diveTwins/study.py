@@ -8,6 +8,7 @@
 Differences are over the field's cells at the end, over its largest value, and over all time steps of the path and the loads, over
 their largest value: the largest, and for the processes, where single cells at the interface decide on round-off, the root mean square."""
 import random
+import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -16,8 +17,7 @@ import numpy as np
 from plunge.results import gather
 from plunge.studies.foamFields import readCells, times
 from plunge.studies.particleRuns import CONTROL, call, converge, override
-from plunge.studies.scenes import again, kill, prepare, solve as solveScene
-from plunge.studies.solverLogs import readLog
+from plunge.studies.scenes import again, kill, prepare, solve as solveRun
 from plunge.studies.study import Done, Quantity, Run, Study
 
 KILLS, DURATION = 5, {"fast": 4e-3, "fast 0.5": 1e-3}    # duration [s]; of 25 m/s and a body of 1 m
@@ -30,23 +30,20 @@ FIELDS, TABLES = ("alpha.liquid", "U", "p_rgh"), {"path of the body": ("x_m", "z
 def solve(run: Run, path: Path) -> None:
     whole = path.parent / replace(run, variant=WHOLE).name
     if run.variant in (ONE, TWO, WHOLE):
-        options = ["-set", f"dive.travel={25*DURATION[run.resolution]:g}", "-set", "output.frames=4", "-np", str(run.cores)]
-        options += ["-resolution", "0.5"] if run.resolution.endswith("0.5") else []
-        if prepare(run.scene, path, options, EXACT) and run.variant != WHOLE:
+        if prepare(run, path, ["-set", f"travel={25*DURATION[run.resolution]:g}", "-set", "frames=4"], EXACT) and run.variant != WHOLE:
             converge(path)
-        solveScene(path)
-        return
+        return solveRun(path)
     again(whole, path)
     if run.variant == PARTS:
         for end in (*times(whole)[:2], times(whole)[-1]):
             override(path, CONTROL, f"endTime {end};")
             call(path, "plungeFoam", mode="a")
-        return
+        return None
     # After up to four fifths of what the whole run takes
-    moments = random.Random(1)
+    moments, clock = random.Random(1), float(re.findall(r"ClockTime = (\S+) s", (whole / "log.plungeFoam").read_text())[-1])
     for _ in range(KILLS):
-        kill(path, moments.uniform(0.3, 0.8)*readLog(whole / "log.plungeFoam")[-1].cpu)
-    solveScene(path)
+        kill(path, moments.uniform(0.3, 0.8)*clock)
+    return solveRun(path)
 
 
 def difference(what: str, norm):

@@ -8,12 +8,13 @@ meshes for first order."""
 from functools import lru_cache
 from pathlib import Path
 
+from plunge.fluids import PAIRS
 from plunge.foamDictionary import read
 from plunge.results import read_numbers
 from plunge.studies import REPOSITORY
 from plunge.studies.headlineUncertainty import BOUNDARY_LAYERS, COARSE, DEFAULT, FINE, HALF_STEPS, ORDERS, RATIO, uncertainty, writeTable
 from plunge.studies.particleRuns import CONTROL, override
-from plunge.studies.scenes import prepare, solve as solveScene
+from plunge.studies.scenes import prepare, solve as solveRun
 from plunge.studies.study import Done, Quantity, Run, Study
 from plunge.uncertainty import CAUSES, HEADLINES, TABLE, conditions
 
@@ -24,15 +25,15 @@ numbers = lru_cache(maxsize=None)(lambda path: read_numbers(path / "results/summ
 
 
 def solve(run: Run, path: Path) -> None:
-    options = ["-fluids", run.given["fluids"], "-tier", "fast", "-resolution", f"{run.given['factor']:.6f}", "-np", "1", *run.given["options"]]
-    if prepare(run.scene, path, options) and HALF_STEPS in run.variant:
+    if prepare(run, path, ["-fluids", run.given["fluids"]]) and HALF_STEPS in run.variant:
         given = read(path / "system/plungeGenerated")
         override(path, CONTROL, " ".join(f"{entry} {given[name]/2:g};" for entry, name in STEP_LIMITS.items()))
-    solveScene(path)
+    solveRun(path)
 
 
-def variant(fluids: str, what: str) -> str:
-    return fluids if what in FACTORS else f"{fluids}, {what}"
+def point(fluids: str, what: str) -> tuple:
+    """Variant and resolution."""
+    return fluids if what in FACTORS else f"{fluids}, {what}", f"fast {FACTORS[what]:g}" if what in (FINE, COARSE) else "fast"
 
 
 def values(done: Done, name: str):
@@ -40,8 +41,7 @@ def values(done: Done, name: str):
     fluids = done.run.given["fluids"]
     if (done.run.variant, done.run.resolution) != (fluids, "fast"):
         return None
-    dives = {what: done.beside(variant=variant(fluids, what), resolution=f"fast {FACTORS[what]:.4g}" if what in (FINE, COARSE) else "fast")
-             for what in (*FACTORS, HALF_STEPS, *BOUNDARY_LAYERS)}
+    dives = {what: done.beside(**dict(zip(("variant", "resolution"), point(fluids, what)))) for what in (*FACTORS, HALF_STEPS, *BOUNDARY_LAYERS)}
     return {what: numbers(dive.path)[name][0] for what, dive in dives.items()} if all(dives.values()) else None
 
 
@@ -58,11 +58,12 @@ def writeUncertainties(done, rows, clean: bool) -> None:
 
 study = Study(
     title="The dive's headline numbers hardly change on a finer mesh",
-    runs=[*(Run("gannetPlunge", "meshes", variant(fluids, what), f"fast {FACTORS[what]:.4g}" if what in (FINE, COARSE) else "fast",
-                ("full", fluids) if fluids == "titan" else (fluids,), given={"fluids": fluids, "factor": FACTORS.get(what, 1), "options": BOUNDARY_LAYERS.get(what, ())})
-            for fluids in read(CASE / "constant/plungeFluids") if fluids != "FoamFile" for what in (FINE, HALF_STEPS, *reversed(BOUNDARY_LAYERS), DEFAULT, COARSE)),
-          *(Run("gannetPlunge", "meshes", "titan", f"fast {factor:g}", ("quick",), given={"fluids": "titan", "factor": factor, "options": (
-              "-set", "dive.travel=0.2")}) for factor in (0.5, 0.6, 0.75))],
+    runs=[*(Run("gannetPlunge", "meshes", *point(fluids, what), ("full", fluids) if fluids == "titan" else (fluids,),
+                given={"fluids": fluids, "options": BOUNDARY_LAYERS.get(what, ())})
+            for fluids in read(PAIRS)
+            for what in (FINE, HALF_STEPS, *reversed(BOUNDARY_LAYERS), DEFAULT, COARSE)),
+          *(Run("gannetPlunge", "meshes", "titan", f"fast {factor:g}", ("quick",), given={"fluids": "titan", "options": ("-set", "travel=0.2")})
+            for factor in (0.5, 0.6, 0.75))],
     solve=solve, orders=ORDERS, after=writeUncertainties,
     sources=("src/freeSurfaceFlow", "src/oversetMethods", "src/rigidBody", "src/boundaryLayer", "applications/solvers/plungeFoam"),
     quantities=[

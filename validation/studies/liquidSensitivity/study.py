@@ -5,19 +5,18 @@ and twice the viscosity, and the real Kraken; the vehicle stays the same. Varian
 Nothing is judged. How far the changes for 5 % more and less density are from being opposite says how linear the dive is in the density,
 and bounds the noise of the runs. Beside the viscous deceleration at full immersion stand those of a flat plate of the body's wetted area and
 length at the speed of entry, laminar (Blasius, 1.328/sqrt(Re)) and turbulent (ITTC 1957, 0.075/(log10 Re - 2)^2)."""
-import shutil
 from math import log10, sqrt
 from pathlib import Path
 
 import numpy as np
 
-from plunge import diveParameters
-from plunge.bodyGeometry import Body
-from plunge.foamDictionary import read
+from plunge import fluids as pairs
+from plunge.foamDictionary import read, write_nested
 from plunge.results import gather, read_numbers
+from plunge.shapes import NACA
 from plunge.studies import REPOSITORY
-from plunge.studies.scenes import prepare, solve as solveScene
-from plunge.studies.study import Done, Quantity, Run, Study
+from plunge.studies.scenes import prepare, solve as solveRun
+from plunge.studies.study import Done, Quantity, Run, Study, twin
 
 DIVE, PAPER, KRAKEN = REPOSITORY / "cases/gannetPlunge", "titan", "kraken"
 FACTORS = {PAPER: {}, "density 95 %": {"liquidDensity": 0.95}, "density 105 %": {"liquidDensity": 1.05},
@@ -25,17 +24,14 @@ FACTORS = {PAPER: {}, "density 95 %": {"liquidDensity": 0.95}, "density 105 %": 
 
 
 def solve(run: Run, path: Path) -> None:
-    """In a copy of the case that has these fluids."""
-    fluids = KRAKEN if run.variant == KRAKEN else PAPER
-    given = diveParameters.read(DIVE, {"fluids": fluids}).fluids
-    case = path.with_name(f"{path.name}.case")
-    shutil.rmtree(case, ignore_errors=True)
-    shutil.copytree(DIVE, case, ignore=shutil.ignore_patterns("run", "Allrun", "Allclean"))
-    lines = "".join(f"    {entry} {value*FACTORS.get(run.variant, {}).get(entry, 1):.8g};\n" for entry, value in given.items())
-    (case / "constant/plungeFluids").write_text("FoamFile { version 2.0; format ascii; class dictionary; object plungeFluids; }\n"
-                                                f"{fluids}\n{{\n{lines}}}\n")
-    prepare(case, path, ["-fluids", fluids, "-np", "1", *run.given["options"]])
-    solveScene(path)
+    """From the dive's scene with these fluids."""
+    name = KRAKEN if run.variant == KRAKEN else PAPER
+    given = {entry: value*FACTORS.get(run.variant, {}).get(entry, 1) for entry, value in pairs.resolve(name, "the study")[1].items()}
+    scene = path.with_name(f"{path.name}.scene")
+    scene.parent.mkdir(parents=True, exist_ok=True)
+    write_nested(scene, "The dive with other fluids", {**read(DIVE / "constant/scene"), "fluids": given})
+    prepare(run, path, scene=scene)
+    solveRun(path)
 
 
 def figures(done: Done) -> dict:
@@ -43,7 +39,7 @@ def figures(done: Done) -> dict:
     given, track = read(done.path / "system/plungeGenerated"), gather(done.path)["trajectory"]
     found = {name: value for name, (value, _) in read_numbers(done.path / "results/summary.csv").items()}
     along = sum(track[f"Fv{axis}_N"]*track[f"v{axis}_m_s"] for axis in "xyz")/track["speed_m_s"]
-    body = Body(given["bodyLength"], given["thicknessRatio"])
+    body = NACA(given["bodyLength"], given["thicknessRatio"])
     reynolds = given["liquidDensity"]*given["speed"]*body.length/given["liquidViscosity"]
     unit = given["liquidDensity"]/2*given["speed"]**2*body.wetted_area/given["bodyMass"]
     immersed = -float(np.interp(found["full immersion time"], track["time_s"], along))/given["bodyMass"]
@@ -52,23 +48,16 @@ def figures(done: Done) -> dict:
             "viscous deceleration of a turbulent flat plate": 0.075/(log10(reynolds) - 2)**2*unit}
 
 
-def change(name: str):
-    def of(done: Done):
-        paper = done.beside(variant=PAPER) if done.run.variant != PAPER else None
-        return paper and 100*(figures(done)[name]/figures(paper)[name] - 1)
-    return of
-
-
 REPORTED = {"impact deceleration": "m/s2", "peak deceleration": "m/s2", "velocity lost at full immersion": "m/s", **{
     f"viscous deceleration {of}": "m/s2" for of in ("at full immersion", "of a laminar flat plate", "of a turbulent flat plate")}}
 study = Study(
     title="What an error of the liquid's density or viscosity does to the dive",
-    runs=[Run("gannetPlunge", "meshes", name, resolution, tiers, given={"options": options}) for name in (*FACTORS, KRAKEN)
-          for resolution, tiers, options in (("fast", ("full",), ["-tier", "fast"]), ("fast 0.5", ("quick",), ["-resolution", "0.5"]))
-          if tiers == ("full",) or name in (PAPER, "density 105 %")],
+    runs=[Run("gannetPlunge", "meshes", name, resolution, (tier,)) for name in (*FACTORS, KRAKEN)
+          for resolution, tier in (("fast", "full"), ("fast 0.5", "quick")) if tier == "full" or name in (PAPER, "density 105 %")],
     solve=solve, sources=("src/freeSurfaceFlow", "src/oversetMethods", "src/rigidBody", "src/boundaryLayer", "applications/solvers/plungeFoam"),
     quantities=[Quantity("liquid density", "kg/m3", lambda done: figures(done)["liquidDensity"]),
                 Quantity("liquid viscosity", "Pa s", lambda done: figures(done)["liquidViscosity"]),
                 *(Quantity(name, unit, lambda done, n=name: figures(done)[n]) for name, unit in REPORTED.items()),
-                *(Quantity(f"change of {name}", "%", change(name)) for name in REPORTED)],
+                *(Quantity(f"change of {name}", "%", twin(lambda dive, paper, n=name: 100*(figures(dive)[n]/figures(paper)[n] - 1), variant=PAPER))
+                  for name in REPORTED)],
     headlines=["change of velocity lost at full immersion"])

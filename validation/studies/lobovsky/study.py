@@ -48,7 +48,7 @@ def pressure(done, sensor: str, later=None) -> Signal:
 
 def inside(done, until: float, window: float) -> float:
     band = MEDIAN.during(MEDIAN.rise(0.5), until).time
-    P = pressure(done, "P2").mean(window).at(band) if window else pressure(done, "P2").at(band)
+    P = pressure(done, "P2").mean(window).at(band)
     return 100*float(((P >= LOW.at(band)) & (P <= HIGH.at(band))).mean())
 
 
@@ -56,10 +56,6 @@ def noise(done) -> float:
     """What a parabola does not follow, rms."""
     steady = Signal(BAND["T"], pressure(done, "P2").at(BAND["T"])).during(3.5, RETURN)
     return rms(steady.value - np.polyval(np.polyfit(*steady, 2), steady.time))
-
-
-def mean(signal: Signal, start: float) -> float:
-    return float(signal.during(start, RETURN).value.mean())
 
 
 PARTICLES = {"judged": lambda run: run.method == "particles" and not run.variant}
@@ -75,10 +71,10 @@ study = Study(
                    **PARTICLES) for to, until in ((RETURN, "to the returning wave"), (7.0, "with the returning wave"))
           for w, of in ((0, ""), (RINGING, ", mean over the ringing"))),
         *(Quantity(f"peak at sensor 2{of}", "rho g H", lambda done, w=w: float(
-            np.nanmax((pressure(done, "P2").mean(w) if w else pressure(done, "P2")).at(BAND["T"]))), float(MEDIAN.value.max()),
+            np.nanmax(pressure(done, "P2").mean(w).at(BAND["T"]))), float(MEDIAN.value.max()),
             0.5*float(HIGH.value.max() - LOW.value.max()), converges=True, **PARTICLES) for w, of in ((0, ""), (RINGING, ", mean over the ringing"))),
-        Quantity("mean at sensor 2, T from 3.5 to 5.5", "rho g H", lambda done: mean(pressure(done, "P2"), 3.5), mean(MEDIAN, 3.5),
-                 judged=lambda run: False),
+        Quantity("mean at sensor 2, T from 3.5 to 5.5", "rho g H", lambda done: float(pressure(done, "P2").during(3.5, RETURN).value.mean()),
+                 float(MEDIAN.during(3.5, RETURN).value.mean()), judged=lambda run: False),
         Quantity("noise at sensor 2, rms off a parabola", "rho g H", noise),
         Quantity("delay of the measured wave, T", "1", delay),
         *(Quantity(f"mean at sensor {name[1]} less one measured run, T from 3 to 5.5", "rho g H", lambda done, n=name: float(

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from plunge.studies.particleRates import limits, measureLimits, memory, pysph, rates, start, timed
-from plunge.studies.study import Done, Quantity, Run, Study
+from plunge.studies.study import Done, Quantity, Run, Study, only, twin
 
 SPACING = 0.022     # 63000 particles of fluid
 # Operations for a candidate pair in three dimensions with WendlandC2, counted in interactionLoop.H; a multiplication, addition,
@@ -36,12 +36,12 @@ def solve(run: Run, path: Path) -> None:
 
 
 def of(value, *variants: str):
-    return lambda done: value(done) if done.run.variant in variants else None
+    return only(value, lambda run: run.variant in variants)
 
 
-def twin(value, variant: str, *variants: str):
-    """A value of a run and of that of another variant."""
-    return of(lambda done: (other := done.beside(variant=variant)) and value(done, other), *variants)
+def beside(value, variant: str, *variants: str):
+    """A figure of runs of some variants and that of another one."""
+    return twin(value, lambda run: run.variant in variants, variant=variant)
 
 
 def cost(done: Done) -> float:
@@ -62,11 +62,11 @@ study = Study(
         Quantity("directed pairs inside the support", "million/s", of(lambda done: 1e-6*rates(done.path).pairs, *TIMED, PYSPH), least=100, **FASTEST),
         Quantity("time step over the acoustic time", "1", of(lambda done: rates(done.path).deltaT*46/done.run.size, *TIMED)),
         Quantity("memory for a particle, of fluid or walls", "byte", of(lambda done: memory(done.path), *TIMED)),
-        *(Quantity("speed over that on one thread", "1", twin(lambda two, one: rates(two.path).steps/rates(one.path).steps, name,
+        *(Quantity("speed over that on one thread", "1", beside(lambda two, one: rates(two.path).steps/rates(one.path).steps, name,
                                                               f"{name}, 2 threads"), least=1.9) for name in (FLOAT, DOUBLE)),
-        Quantity("PySPH's time for a particle and acoustic time over ours", "1", twin(
+        Quantity("PySPH's time for a particle and acoustic time over ours", "1", beside(
             lambda ours, theirs: cost(theirs)/cost(ours), PYSPH, *TIMED[-2:])),
-        Quantity("pairs a second over PySPH's", "1", twin(lambda ours, theirs: rates(ours.path).pairs/rates(theirs.path).pairs, PYSPH, *TIMED[-2:])),
+        Quantity("pairs a second over PySPH's", "1", beside(lambda ours, theirs: rates(ours.path).pairs/rates(theirs.path).pairs, PYSPH, *TIMED[-2:])),
         Quantity("candidate pairs inside the support", "%", of(lambda d: 100*limits(d.path)["pairs"]/limits(d.path)["lanes"], LOOPS)),
         *(Quantity(f"processor, a core: {name}", unit, of(lambda d, k=key: 1e-9*limits(d.path)[k], LOOPS)) for name, key, unit in (
             ("multiplications and additions at most, as wide as the loops", "peak", "Gflop/s"), ("reading from L1", "L1", "GB/s"),
@@ -75,6 +75,6 @@ study = Study(
             d.path)["lanes"]/limits(d.path)[n]/limits(d.path)["peak"], LOOPS)) for loop in FLOPS),
         *(Quantity(f"inner loop of {loop}, bytes over reading from L2", "%", of(lambda d, n=loop: 100*BYTES[n]*limits(
             d.path)["lanes"]/limits(d.path)[n]/limits(d.path)["L2"], LOOPS)) for loop in BYTES),
-        Quantity("share of the two loops in a step", "%", twin(lambda loops, run: 100*sum(limits(loops.path)[n] for n in FLOPS)*rates(
+        Quantity("share of the two loops in a step", "%", beside(lambda loops, run: 100*sum(limits(loops.path)[n] for n in FLOPS)*rates(
             run.path).steps/np.sum(start(run.path)["wall"] < 0), FLOAT, LOOPS))],
     headlines=["time for a particle and acoustic time dp/c0", "PySPH's time for a particle and acoustic time over ours"])

@@ -31,8 +31,7 @@ def field(run: Path, name: str, internal: object, others: str, **patches: str) -
 
 def solve(run: Run, path: Path) -> None:
     stencil, gravity = run.variant.split(", ")
-    tier, *factor = run.resolution.split()
-    if prepare(run.scene, path, ("-np", "1", "-tier", tier, *(["-resolution", *factor] if factor else []))):
+    if prepare(run, path):
         mesh(path)
         velocity = "(" + " ".join(map(repr, read(path / "system/plungeGenerated")["initialVelocity"])) + ")"
         field(path, "U", velocity, f"type fixedValue; value uniform {velocity};", farLiquid="type zeroGradient;",

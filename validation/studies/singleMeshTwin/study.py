@@ -16,7 +16,7 @@ from plunge.studies.dives import WINDOW, Difference, Dive
 from plunge.studies.pictures import draw
 from plunge.studies.scenes import solveScene
 from plunge.studies.signals import Signal
-from plunge.studies.study import Quantity, Run, Study
+from plunge.studies.study import Quantity, Run, Study, twin
 
 OVERSET, SINGLE = "overset", "single"
 dive = lru_cache(maxsize=None)(Dive)
@@ -24,10 +24,7 @@ dive = lru_cache(maxsize=None)(Dive)
 
 def apart(of):
     """A figure of the difference of an overset mesh's dive to the single mesh's."""
-    def value(done):
-        twin = done.beside(variant=SINGLE) if done.run.variant == OVERSET else None
-        return twin and float(of(Difference(dive(done.path), dive(twin.path)), dive(done.path), dive(twin.path)))
-    return value
+    return twin(lambda done, single: float(of(Difference(dive(done.path), dive(single.path)), dive(done.path), dive(single.path))), variant=SINGLE)
 
 
 def own(of):
@@ -37,9 +34,8 @@ def own(of):
 
 study = Study(
     title="The dive on an overset mesh is that on a single mesh",
-    runs=[Run("gannetPlunge", "meshes", mesh, resolution, tiers, given={"options": ["-mesh", mesh, *options]}) for mesh in (OVERSET, SINGLE)
-          for resolution, tiers, options in (("fast", ("full",), []), ("fast 2", ("fine",), ["-resolution", "2"]),
-                                             ("fast 0.5", ("quick",), ["-resolution", "0.5", "-set", "dive.travel=0.3"]))],
+    runs=[Run("gannetPlunge", "meshes", mesh, resolution, (tier,), given={"options": ["-mesh", mesh, *options]}) for mesh in (OVERSET, SINGLE)
+          for resolution, tier, options in (("fast", "full", []), ("fast 2", "fine", []), ("fast 0.5", "quick", ["-set", "travel=0.3"]))],
     solve=solveScene, sources=("src/oversetMethods", "src/freeSurfaceFlow", "src/rigidBody", "applications/solvers/plungeFoam"),
     quantities=[
         Quantity("largest axial load, running mean", "N", lambda done: float(dive(done.path).mean["axial"].max())),

@@ -12,12 +12,12 @@ from pathlib import Path
 from plunge.studies.dives import AS_STOCK, Difference, Dive
 from plunge.studies.particleRuns import CONTROL
 from plunge.studies.pictures import draw
-from plunge.studies.scenes import prepare, solve as solveScene
+from plunge.studies.scenes import solveScene
 from plunge.studies.signals import Signal
 from plunge.studies.solverLogs import perStep, readLog
 from plunge.studies.stockContest import (AS_OURS, AS_TUTORIAL, MULTIGRID, OURS, PROFILED, QUARTER_STEPS, REFERENCE, STOCK, floatingBody, height,
                                          iterations, profile)
-from plunge.studies.study import Done, Quantity, Run, Study
+from plunge.studies.study import Done, Quantity, Run, Study, only, twin
 
 TUNED, ONE, TWO, DILU, GAMG = f"{STOCK}, this case's correctors", "1 process", "2 processes", "DILU", "GAMG"
 DIVES = {OURS: {**AS_STOCK, **PROFILED}, STOCK: AS_TUTORIAL, TUNED: AS_OURS, REFERENCE: QUARTER_STEPS}
@@ -29,27 +29,24 @@ dive = lru_cache(maxsize=None)(Dive)
 def solve(run: Run, path: Path) -> None:
     if run.scene == "floatingBody":
         return floatingBody(path, run.variant)
-    tier, *factor = run.resolution.split()
-    options = ["-np", str(run.cores), "-tier", tier, *(["-resolution", *factor] if factor else [])]
     if run.variant in DIVES:
-        prepare(run.scene, path, [*options, "-mesh", "single" if run.variant == REFERENCE else "overset"], DIVES[run.variant])
-    else:
-        count, length = STEPS[run.resolution]
-        changes = {CONTROL: f"adjustTimeStep no; deltaT {length};", **(MULTIGRID if run.variant == GAMG else {})}
-        prepare(run.scene, path, [*options, "-set", f"dive.travel={25*count*length:g}", "-set", "output.frames=1"], changes)
-    solveScene(path)
+        return solveScene(run, path, ["-mesh", "single" if run.variant == REFERENCE else "overset"], DIVES[run.variant])
+    count, length = STEPS[run.resolution]
+    changes = {CONTROL: f"adjustTimeStep no; deltaT {length};", **(MULTIGRID if run.variant == GAMG else {})}
+    solveScene(run, path, ["-set", f"travel={25*count*length:g}", "-set", "frames=1"], changes)
 
 
 def against(variant: str, value, *of: str, scene: str = "gannetPlunge"):
     """A figure of runs of some variants and that of another one."""
-    def figure(done: Done):
-        other = done.beside(variant=variant) if done.run.variant in of and done.run.scene == scene else None
-        return other and value(done, other)
-    return figure
+    return twin(value, lambda run: run.variant in of and run.scene == scene, variant=variant)
 
 
 def error(load: str, norm: str):
     return against(REFERENCE, lambda done, other: float(getattr(getattr(Difference(dive(done.path), dive(other.path)), load), norm)()), *DIVES)
+
+
+def isDive(run: Run) -> bool:
+    return run.scene == "gannetPlunge" and run.variant in DIVES
 
 
 def step(done: Done) -> float:
@@ -73,14 +70,14 @@ study = Study(
         *(Quantity(f"{load} load, rms about its mean over the largest axial", "%", against(
             REFERENCE, lambda done, other, n=load: 100*dive(done.path).noise(n)/float(dive(other.path).mean["axial"].max()), *DIVES))
           for load in ("axial", "lateral")),
-        Quantity("liquid's volume, largest error over the body's", "%", against(REFERENCE, lambda done, _: dive(done.path).ledger(), *DIVES)),
+        Quantity("liquid's volume, largest error over the body's", "%", only(lambda done: dive(done.path).ledger(), isDive)),
         Quantity("efficiency of two processes", "1", against(ONE, lambda two, one: step(one)/(2*step(two)), TWO), least=0.85),
-        Quantity("iterations of the pressure", "1", against(DILU, lambda done, _: iterations(done.path), DILU, GAMG)),
+        Quantity("iterations of the pressure", "1", only(lambda done: iterations(done.path), lambda run: run.variant in (DILU, GAMG))),
         Quantity("time of a step over that with DILU", "1", against(DILU, lambda done, dilu: step(done)/step(dilu), GAMG)),
         Quantity("height of the body, largest error over its way", "%", against(REFERENCE, lambda done, other: 100*float(
             abs(height(done.path).less(height(other.path))).max()/height(other.path).value.ptp()), OURS, STOCK, scene="floatingBody")),
-        *(Quantity(f"share of a step: {part}", "%", against(OURS, lambda done, _, p=part: profile(done.path).get(p), OURS)) for part in PARTS)],
+        *(Quantity(f"share of a step: {part}", "%", only(lambda done, p=part: profile(done.path).get(p), lambda run: isDive(run) and run.variant == OURS)) for part in PARTS)],
     headlines=["CPU time of plungeFoam over that of this"],
     figure=lambda done, file: draw(file, [({"xlabel": "time [ms]", "ylabel": f"{load} load on the body, running mean [N]"}, {}, {
         each.run.variant: Signal(1e3*dive(each.path).time, dive(each.path).mean[load])
-        for each in done if each.run.variant in DIVES and each.run.scene == "gannetPlunge"}) for load in ("axial", "lateral")], 2))
+        for each in done if isDive(each.run)}) for load in ("axial", "lateral")], 2))

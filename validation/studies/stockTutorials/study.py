@@ -11,7 +11,7 @@ from pathlib import Path
 from plunge.studies.foamFields import times
 from plunge.studies.particleRuns import call, isComplete
 from plunge.studies.scenes import once
-from plunge.studies.study import Done, Quantity, Run, Study
+from plunge.studies.study import Quantity, Run, Study, twin
 from plunge.studies.tutorials import cpuPerStep, forceDifference, interfaceDifference, motionDifference, setUp, stepsOf
 
 OURS, STOCK = "plungeFoam", {"damBreak": "interFoam", "floatingObject": "interFoam", "floatingBody": "overInterDyMFoam"}
@@ -40,10 +40,7 @@ def solve(run: Run, path: Path) -> None:
 
 def against(value):
     """A figure of two cases, ours and the stock solver's."""
-    def of(done: Done):
-        stock = done.beside(variant=STOCK[done.run.scene]) if done.run.variant == OURS else None
-        return stock and value(done.path, stock.path)
-    return of
+    return lambda done: twin(lambda ours, stock: value(ours.path, stock.path), variant=STOCK[done.run.scene])(done)
 
 
 def moves(value):

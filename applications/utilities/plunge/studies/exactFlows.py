@@ -8,7 +8,7 @@ import numpy as np
 from scipy.integrate import solve_ivp
 
 from plunge.studies import particleRuns
-from plunge.studies.scenes import prepare
+from plunge.studies.scenes import prepareCase
 from plunge.studies.scenes import solve as solveScene
 
 DROP_END = 0.8                  # [s]
@@ -37,7 +37,7 @@ def solve(run: Path, spacing: float, c0: float, fluid: np.ndarray, velocity: np.
     wall = np.concatenate([np.full(len(fluid), -1), np.zeros(len(floor))]).astype("<i4")
     given = {"smoothingLength": 2, "viscosity": "none", "densityDiffusion": "none", **entries}
     unused = "alpha" if "delta" in entries else "(alpha delta)"
-    prepare("stillTank", run, changes={
+    prepareCase("stillTank", run, changes={
         particleRuns.PROPERTIES: f"geometry {{ spacing {spacing!r}; }}\n#remove {unused}\n#remove speedOfSound\n#remove outputs\nspeedOfSound {{ c0 {c0}; }}\n"
                                  + "\n".join(f"{key} {value}{'' if str(value).startswith('{') else ';'}" for key, value in given.items()),
         particleRuns.CONTROL: f"endTime {endTime}; writeInterval {interval};", "constant/g": f"value (0 {-gravity} 0);"})

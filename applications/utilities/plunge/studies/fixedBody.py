@@ -9,8 +9,7 @@ import numpy as np
 from plunge.foamDictionary import read
 from plunge.studies.foamFields import numbers
 from plunge.studies.particleRuns import CONTROL, call, isComplete, override
-from plunge.studies.scenes import once
-from plunge.studies.scenes import prepare as prepareScene
+from plunge.studies.scenes import once, prepareCase
 
 SOLVER = "plungeFoam"
 TRAVEL = 2      # of the stream, in body lengths: the layer is as long as the body after one
@@ -27,7 +26,7 @@ class Drag(NamedTuple):
 
 def make(run: Path, options: Sequence[str]) -> None:
     """Meshes and boundary conditions of a run of one body mesh."""
-    prepareScene("gannetPlunge", run, ["-mesh", "single", "-np", "1", *options])
+    prepareCase("gannetPlunge", run, ["-mesh", "single", "-np", "1", *options])
     given = read(run / "system/plungeGenerated")
     stream = np.negative(given["forward"])*given["speed"]
     inflow = "({:.12g} {:.12g} {:.12g})".format(*stream)

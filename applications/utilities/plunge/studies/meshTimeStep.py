@@ -7,25 +7,25 @@ from typing import Callable
 
 import numpy as np
 
-from plunge import bodyMesh
-from plunge.bodyGeometry import Body
+from plunge import meridianMesh
+from plunge.shapes import Revolution
 
 Flow = Callable[[np.ndarray], np.ndarray]  # velocity [m/s] at points [m]
 HEX_FACES = ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))
 
 
-def polar_surface(size: bodyMesh.MeshSize) -> bodyMesh.SurfaceGrid:
+def polar_surface(size: meridianMesh.MeshSize) -> meridianMesh.SurfaceGrid:
     """The alternative: (u, phi) cells right to the axis, where their inner edge has no length."""
-    u = np.arange(size.axial_cells + 1, dtype=float)
+    u = np.arange(sum(size.axial_cells) + 1, dtype=float)
     phi = np.pi * np.arange(4 * size.cap_cells + 1) / (4 * size.cap_cells)
     u, phi = np.meshgrid(u, phi, indexing="ij")
     sin_phi = np.where(np.abs(np.sin(phi)) < 1e-12, 0.0, np.sin(phi))
     grid = np.arange(u.size).reshape(u.shape)
     quads = np.stack((grid[:-1, :-1], grid[:-1, 1:], grid[1:, 1:], grid[1:, :-1]), axis=-1).reshape(-1, 4)
-    return bodyMesh.SurfaceGrid(u.ravel(), np.cos(phi).ravel(), sin_phi.ravel(), quads)
+    return meridianMesh.SurfaceGrid(u.ravel(), np.cos(phi).ravel(), sin_phi.ravel(), quads)
 
 
-def inverse_time_step(mesh: bodyMesh.VolumeMesh, flow: Flow) -> np.ndarray:
+def inverse_time_step(mesh: meridianMesh.VolumeMesh, flow: Flow) -> np.ndarray:
     """0.5*sum|phi|/V of each cell [1/s]."""
     corners = mesh.nodes[mesh.hexahedra]
     centre = corners.mean(axis=1)
@@ -40,11 +40,11 @@ def inverse_time_step(mesh: bodyMesh.VolumeMesh, flow: Flow) -> np.ndarray:
     return 0.5 * through / np.abs(volume)
 
 
-def potential_flow(body: Body, speed: float, count: int = 60) -> Flow:
+def potential_flow(body: Revolution, speed: float, count: int = 60) -> Flow:
     """Flow along the axis past the body: sources on the axis, fitted to a vanishing stream function on the wall."""
     first, last = 0.5 * body.nose_radius, 0.998 * body.length
     place = first + (last - first) * (1 - np.cos(np.pi * (np.arange(count) + 0.5) / count)) / 2
-    x, r = body.point(np.linspace(0, 1, 800)[1:-1])
+    x, r = body.curve.point(np.linspace(0, 1, 800)[1:-1])
     matrix = -(1 + (x[:, None] - place) / np.hypot(x[:, None] - place, r[:, None])) / (4 * np.pi)
     strength = np.linalg.lstsq(matrix / r[:, None], -0.5 * r, rcond=1e-10)[0]
 

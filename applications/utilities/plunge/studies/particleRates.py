@@ -19,7 +19,7 @@ from typing import Mapping, NamedTuple
 import numpy as np
 
 from plunge.studies.particleRuns import LOG, particles, series
-from plunge.studies.scenes import prepare, solve
+from plunge.studies.scenes import prepareCase, solve
 from plunge.studies.study import STUDIES
 
 FOLDER = STUDIES / "particleSpeed"
@@ -44,7 +44,7 @@ def timed(run: Path, changes: Mapping[str, str], threads: int) -> None:
     """The better of two runs, in run/0 and run/1."""
     found = []
     for part in (run / "0", run / "1"):
-        prepare("kleefsman", part, changes=changes)
+        prepareCase("kleefsman", part, changes=changes)
         solve(part, threads)
         lines = re.findall(r"dt (\S+) s,.*\| (\S+) million particle steps/s, (\S+) million pairs/s", (part / LOG).read_text())
         # The first has the start in it, the last may be short

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 import shutil
 import signal
@@ -13,11 +12,8 @@ from typing import Callable, Mapping, Sequence
 
 from plunge.studies import REPOSITORY
 from plunge.studies.foamFields import times
-from plunge.studies.particleRuns import call, isComplete, make as make_particles, override
+from plunge.studies.particleRuns import call, override
 from plunge.studies.study import Run
-
-MARK = "prepared.json"
-
 
 def once(run: Path, make: Callable[[], object], mark: str = "prepared") -> bool:
     """Makes a run's directory by make(), unless that has come to its end before; what an interrupted one left goes. Was it made?"""
@@ -35,53 +31,42 @@ def quietly(*command: str) -> None:
         raise RuntimeError(f"{' '.join(command)} failed:\n{done.stdout[-2000:]}")
 
 
-def prepare(scene: str | Path, run: Path, options: Sequence[str] = (), changes: Mapping[str, str] = {}) -> bool:
+def prepareCase(scene: str | Path, run: Path, options: Sequence[str] = (), changes: Mapping[str, str] = {}) -> bool:
     """Makes the directory of a run, in which files take other entries, unless it is there. Was it made?
 
-    scene: a name in cases/, or a directory like one; options: those of plungeCase; changes: text that takes the place of entries."""
-    case = REPOSITORY / "cases" / scene
-
+    scene: a name in cases/, a directory like one or a scene file; options: those of plungeCase; changes: text that takes the place of
+    entries."""
     def make() -> None:
-        if (case / "system/plungeParameters").exists():
-            quietly("plungeCase", "-case", str(case), "-run", str(run), *options)
-        else:
-            make_particles(scene, run, *options)
+        quietly("plungeCase", str(REPOSITORY / "cases" / scene), "-run", str(run), *options)
         for file, text in changes.items():
             override(run, file, text)
-        (run / MARK).write_text(json.dumps({"case": str(case), "options": list(options)}))
 
     return once(run, make)
 
 
-def command(run: Path, cores: int = 1) -> list[str]:
-    """That runs all of a prepared run, or goes on with it."""
-    given = json.loads((run / MARK).read_text())
-    case = Path(given["case"])
-    if (case / "system/plungeParameters").exists():
-        # A copy of the case has no Allrun of its own
-        return [str(REPOSITORY / "cases/gannetPlunge/Allrun"), "-case", str(case), "-run", str(run), *given["options"]]
-    return ["plungeSPH", "-case", str(run), "-threads", str(cores)]
+def prepare(run: Run, path: Path, options: Sequence[str] = (), changes: Mapping[str, str] = {}, scene: Path | None = None) -> bool:
+    """Prepares a point of a study's matrix: its scene, or another in its place, by its method, resolution and cores, with options and
+    changes, and those of its `given`."""
+    tier, factor = run.grade if run.graded else ("fast", "1")
+    options = ["-method", run.method, "-tier", tier, "-resolution", factor, "-np", str(run.cores), *options]
+    return prepareCase(scene or run.scene, path, [*options, *run.given.get("options", ())], {**changes, **run.given.get("changes", {})})
 
 
-def solve(run: Path, cores: int = 1) -> None:
+def solve(run: Path) -> None:
     """Runs all of a prepared run, or goes on with it, and its tables, without pictures. Its output is in <run>.log."""
-    program, *options = command(run, cores)
-    if program == "plungeSPH":
-        if not isComplete(run):
-            call(run, program, *options, mode="a")
-        return
     path = run.with_name(f"{run.name}.log")
     # Allrun's own line for a step that is done: the pictures take ten times as long as a coarse dive
     (run / "log.plungePost").write_text("No pictures\n# Allrun: finished\n")
     with path.open("w") as log:
-        if subprocess.run([program, *options], stdout=log, stderr=subprocess.STDOUT).returncode:
+        if subprocess.run([str(run / "Allrun")], stdout=log, stderr=subprocess.STDOUT).returncode:
             raise RuntimeError(f"failed; {path} ends with:\n{path.read_text()[-2000:]}")
-    call(run, "plungePost", "--no-pictures")
+    if (run / "postProcessing/trajectory").exists():
+        call(run, "plungePost", "-noPictures")
 
 
 def kill(run: Path, after: float) -> None:
     """Goes on with a run and kills it after so many seconds [s], unless it comes to its end before."""
-    process = subprocess.Popen(command(run), start_new_session=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    process = subprocess.Popen([str(run / "Allrun")], start_new_session=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     try:
         process.wait(timeout=after)
     except subprocess.TimeoutExpired:
@@ -96,13 +81,10 @@ def again(reference: Path, run: Path, solver: str = "plungeFoam") -> None:
                                                                   *times(reference)))
 
 
-def solveScene(run: Run, directory: Path) -> None:
-    """What most studies' runs are: the scene with `options` and `changes` of its `given`."""
-    options = [*run.given.get("options", ())]
-    if run.given.get("np", True) and (REPOSITORY / "cases" / run.scene / "system/plungeParameters").exists():
-        options += ["-np", str(run.cores)]
-    prepare(run.scene, directory, options, run.given.get("changes", {}))
-    solve(directory, run.cores)
+def solveScene(run: Run, path: Path, options: Sequence[str] = (), changes: Mapping[str, str] = {}) -> None:
+    """Prepares a point of a study's matrix and runs it to its end."""
+    prepare(run, path, options, changes)
+    solve(path)
 
 
 def spacings(scene: str, of: Mapping[float, Sequence[str]], changes: Mapping[str, str] = {}, variant: str = "", cores: int = 1) -> list[Run]:

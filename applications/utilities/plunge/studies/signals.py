@@ -21,8 +21,8 @@ class Signal(NamedTuple):
         return np.interp(time, self.time, self.value, left=np.nan, right=np.nan)
 
     def mean(self, window: float) -> Signal:
-        """Running mean."""
-        return Signal(self.time, running_mean(self.time, self.value, window))
+        """Running mean; the signal itself, of no window."""
+        return Signal(self.time, running_mean(self.time, self.value, window)) if window else self
 
     def rise(self, level: float) -> float:
         """When it first passes a level; nan if it never does."""

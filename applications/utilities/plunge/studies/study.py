@@ -49,12 +49,21 @@ class Run:
         return repr((self.key, sorted(self.given.items())))
 
     @property
+    def graded(self) -> bool:
+        """Is its resolution a tier, not a length or a time step?"""
+        return not self.resolution.endswith((" m", " s"))
+
+    @property
+    def grade(self) -> tuple[str, str]:
+        """Tier and factor of the counts, where they have no length."""
+        tier, factor, *_ = [*re.findall("[a-z]+", self.resolution), "fast"][:1] + [*re.findall(r"[\d.]+", self.resolution), "1"]
+        return tier, factor
+
+    @property
     def size(self) -> float:
-        """Of a cell or a spacing, in a unit that the runs of a study share."""
-        *_, number, unit = ["1", "1", *self.resolution.split()]
-        if unit in ("m", "s"):
-            return float(number)
-        return 1/float(unit) if unit[0].isdigit() else 1.0
+        """Of a cell, a spacing or a time step, in a unit that the runs of a study share."""
+        number, *unit = self.resolution.split() or [""]
+        return float(number) if unit in (["m"], ["s"]) else 1/float(self.grade[1])
 
 
 class Done:
@@ -167,6 +176,19 @@ def module(name: str) -> Any:
 
 def load(name: str) -> Study:
     return module(name).study
+
+
+def only(value: Callable[[Done], Any], which: Callable[[Run], bool]) -> Callable[[Done], Any]:
+    """A figure of some runs."""
+    return lambda done: value(done) if which(done.run) else None
+
+
+def twin(value: Callable[[Done, Done], Any], which: Callable[[Run], bool] = lambda run: True, **changes: str) -> Callable[[Done], Any]:
+    """A figure of a run and of that beside it which differs in these; none where there is no such run, or it is the same."""
+    def of(done: Done) -> Any:
+        other = done.beside(**changes) if which(done.run) else None
+        return value(done, other) if other and other is not done else None
+    return of
 
 
 def value_of(number: Number, done: Done) -> float | None:
