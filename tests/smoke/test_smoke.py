@@ -30,7 +30,7 @@ FALLING = [
 
 # Those with a body that is released in the liquid: how fast it falls over gravity, at first, and how near that comes so coarsely.
 RELEASED = [
-    ("addedMass", "meshes", ("-resolution", 0.5), 0.5, 9/11, 0.02), ("addedMass", "particles", ("-resolution", 0.25, "-set", "entry.depth=6"), 0.1, 9/11, 0.1),
+    ("addedMass", "meshes", ("-resolution", 0.5), 0.5, 9/11, 0.02), ("addedMass", "particles", ("-resolution", 0.25, "-set", "entry.depth=6"), 0.1, 9/11, 0.02),
     ("sphereDecay", "meshes", ("-resolution", 0.5), 0.3, None, None), ("sphereDecay", "particles", ("-resolution", 0.3), 0.3, None, None),
 ]
 

@@ -85,6 +85,17 @@ def test_incomplete(text: str, words: "tuple[str, ...]", tmp_path: Path) -> None
     assert all(word in done.stderr for word in words), done.stderr
 
 
+@pytest.mark.parametrize("method, of, count", [("meshes", "cells", 15*15*4), ("particles", "particles", None)])
+def test_estimate(method: str, of: str, count: "int | None") -> None:
+    """A probe that is as short as the scene; of a plane mesh, the number of cells is exact."""
+    done = plungeCase(CASES / "damBreak", "-method", method, "-resolution", "0.5", "-set", "duration=0.2", "-np", "1", "-estimate")
+    found = dict(line.split(None, 1) for line in done.stdout.splitlines())
+    assert {of, "steps", "memory", "disk"} <= set(found) and "CPU" in found, done.stderr
+    assert float(found["steps"].replace(",", "")) > 10
+    if count:
+        assert int(found[of].replace(",", "")) == count
+
+
 def test_decisions() -> None:
     """Dimension, speed and method settings follow from the tank."""
     still, dam, box = (tank.read(CASES / name) for name in ("stillTank", "damBreak", "kleefsman"))

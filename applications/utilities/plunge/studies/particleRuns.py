@@ -41,19 +41,14 @@ def converge(run: Path) -> None:
     path.write_text(re.sub(r"(\bmaxIter\s+)[^;]+;", r"\g<1>500;", text))
 
 
-def make(case: "str | Path", run: Path, *options: str) -> None:
-    """A case of cases/, or a directory like one, by particles; options: those of plungeCase."""
-    made = subprocess.run(["plungeCase", str(REPOSITORY / "cases" / case), "-method", "particles", "-run", str(run), *options],
+def setUp(case: str, run: Path, entries: Mapping[str, object] = {}, **control: object) -> Path:
+    """A case of cases/ by particles, with other entries of particleProperties and controlDict."""
+    made = subprocess.run(["plungeCase", str(REPOSITORY / "cases" / case), "-method", "particles", "-run", str(run)],
                           stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     if made.returncode:
         raise RuntimeError(f"{case}: {made.stderr}")
     if "body" in read(run / "constant/scene"):
         call(run, "plungeBodySurface")
-
-
-def setUp(case: str, run: Path, entries: Mapping[str, object] = {}, **control: object) -> Path:
-    """A case of cases/ by particles, with other entries of particleProperties and controlDict."""
-    make(case, run)
     for file, changes in ((PROPERTIES, entries), (CONTROL, control)):
         for entry, value in changes.items():
             setEntry(run, file, entry, value)
