@@ -41,7 +41,7 @@ def figures(done: Done) -> dict:
     raw = Signal(table["time_s"], table["deceleration_m_s2"])
     mean, contact = raw.mean(WINDOW), numbers["contact time"]
     wet = mean.during(contact, np.inf)
-    ringing = Signal(raw.time, raw.value - mean.value).during(contact, numbers["full immersion time"])
+    ringing = Signal(raw.time, raw.value - mean.value).during(contact, np.nan_to_num(numbers["full immersion time"], nan=np.inf))
     return {**numbers, "peak deceleration, running mean": float(wet.value.max()), "deceleration, rms about its mean": rms(ringing.value),
             "time from contact to peak, running mean": float(wet.time[wet.value.argmax()] - contact)}
 
@@ -58,9 +58,9 @@ MEMORY = {"particles with walls and body": "1", "computation's memory per partic
 study = Study(
     title="Meshes and particles side by side in the same dive",
     runs=[*(Run("gannetPlunge", method, f"{fluids}, boundary layer {layer}", resolution, (tier,), given={
-              "options": ["-fluids", fluids, "-boundaryLayer", layer]})
+              "options": ["-fluids", fluids, "-boundaryLayer", layer, *options]})
             for fluids in ("titan", "water") for method, layer in (("meshes", "auto"), ("meshes", "none"), ("particles", "none"))
-            for resolution, tier in (("fast", "full"), ("fast 0.5", "quick")) if tier == "full" or (fluids, layer) == ("titan", "none")),
+            for resolution, tier, options in (("fast", "full", []), ("fast 0.5", "quick", ["-set", "travel=0.3"])) if tier == "full" or (fluids, layer) == ("titan", "none")),
           Run("gannetPlunge", "particles", MILLION, "fine", cores=2)],
     solve=solve, sources=("src/freeSurfaceFlow", "src/oversetMethods", "src/rigidBody", "src/smoothedParticles", "applications/solvers"),
     quantities=[*(Quantity(name, unit, lambda done, n=name: figures(done).get(n)) for name, unit in {**UNITS, **MEMORY}.items()),

@@ -62,7 +62,7 @@ study = Study(
                 given={"fluids": fluids, "options": BOUNDARY_LAYERS.get(what, ())})
             for fluids in read(PAIRS)
             for what in (FINE, HALF_STEPS, *reversed(BOUNDARY_LAYERS), DEFAULT, COARSE)),
-          *(Run("gannetPlunge", "meshes", "titan", f"fast {factor:g}", ("quick",), given={"fluids": "titan", "options": ("-set", "travel=0.2")})
+          *(Run("gannetPlunge", "meshes", "titan", f"fast {factor:g}", ("quick",), given={"fluids": "titan", "options": ("-set", "travel=0.08")})
             for factor in (0.5, 0.6, 0.75))],
     solve=solve, orders=ORDERS, after=writeUncertainties,
     sources=("src/freeSurfaceFlow", "src/oversetMethods", "src/rigidBody", "src/boundaryLayer", "applications/solvers/plungeFoam"),

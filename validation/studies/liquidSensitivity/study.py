@@ -52,8 +52,8 @@ REPORTED = {"impact deceleration": "m/s2", "peak deceleration": "m/s2", "velocit
     f"viscous deceleration {of}": "m/s2" for of in ("at full immersion", "of a laminar flat plate", "of a turbulent flat plate")}}
 study = Study(
     title="What an error of the liquid's density or viscosity does to the dive",
-    runs=[Run("gannetPlunge", "meshes", name, resolution, (tier,)) for name in (*FACTORS, KRAKEN)
-          for resolution, tier in (("fast", "full"), ("fast 0.5", "quick")) if tier == "full" or name in (PAPER, "density 105 %")],
+    runs=[Run("gannetPlunge", "meshes", name, resolution, (tier,), given={"options": options}) for name in (*FACTORS, KRAKEN)
+          for resolution, tier, options in (("fast", "full", []), ("fast 0.5", "quick", ["-set", "travel=0.3"])) if tier == "full" or name in (PAPER, "density 105 %")],
     solve=solve, sources=("src/freeSurfaceFlow", "src/oversetMethods", "src/rigidBody", "src/boundaryLayer", "applications/solvers/plungeFoam"),
     quantities=[Quantity("liquid density", "kg/m3", lambda done: figures(done)["liquidDensity"]),
                 Quantity("liquid viscosity", "Pa s", lambda done: figures(done)["liquidViscosity"]),
