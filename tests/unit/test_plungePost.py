@@ -570,7 +570,7 @@ def write_dive(folder: Path, pressure: float | None = None) -> None:
     """Flat liquid and a sphere that sinks into it, with that pressure on it."""
     from plunge.surfaces import Series, free_surface
     from vtkmodules.numpy_interface import dataset_adapter as dsa
-    from vtkmodules.vtkFiltersSources import vtkSphereSource
+    from vtkmodules.vtkFiltersSources import vtkRegularPolygonSource, vtkSphereSource
 
     mesh, sides = composite(False)
     liquid, body = Series(folder, "freeSurface"), Series(folder, "body")
@@ -867,13 +867,17 @@ def particle_dive(case: Path, flat: bool = False) -> Path:
         arrays.append(np.full_like(places, 100 * time), "U")
         arrays.append(-1e4 * places[:, 2], "p")
         liquid.add(time, data)
-        sphere = vtkSphereSource()
-        sphere.SetCenter(*placed(np.array([0, 0, z])))
-        sphere.SetRadius(0.3)
-        sphere.SetThetaResolution(40)
-        sphere.SetPhiResolution(40)
-        sphere.Update()
-        body.add(time, sphere.GetOutput())
+        if flat:    # plungeSPH writes the section's outline
+            shape = vtkRegularPolygonSource()
+            shape.SetNumberOfSides(80)
+        else:
+            shape = vtkSphereSource()
+            shape.SetThetaResolution(40)
+            shape.SetPhiResolution(40)
+        shape.SetCenter(*placed(np.array([0, 0, z])))
+        shape.SetRadius(0.3)
+        shape.Update()
+        body.add(time, shape.GetOutput())
     return case
 
 

@@ -94,10 +94,10 @@ def _meridian(file: Path, scale: float = 1.0) -> Revolution:
     if x[-1] < x[0]:
         x, r = x[::-1], r[::-1]
     extent = max(np.ptp(x), r.max())
-    if np.ptp(x) <= 1e-9 * extent or r.max() <= 0:
-        raise ShapeError(f"{file}: points on one line; expected a meridian with length and width")
     if (r < -1e-9 * extent).any():
         raise ShapeError(f"{file}: a radius of {r.min():g}; expected none below 0")
+    if np.ptp(x) <= 1e-9 * extent or r.max() <= 0:
+        raise ShapeError(f"{file}: points on one line; expected a meridian with length and width")
     x = x - x[0]
     # Ends that are off the axis are flat faces
     if r[0] > 1e-9 * extent:
