@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 import shlex
 import shutil
 from dataclasses import dataclass
@@ -31,6 +32,8 @@ _TURBULENCE = ("k", "omega", "nut")  # fields of wall functions alone
 _OVERSET = ("zoneID", "setFieldsDict", "background")
 _SHAPE_FILES = "constant/geometry"
 _SHOWN = 8  # of the entries that differ
+_BEGUN = ".plungeCase"  # of a set-up that was interrupted
+_MOST = 2e8     # cells or particles
 
 OPTIONS = {
     "method": word(*decisions.METHODS),
@@ -105,6 +108,15 @@ def parameters(given: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any], d
 
 def derive(path: Path, given: dict[str, Any] = {}) -> Case:
     """A scene's file or case directory, and what the command line asks for (flat names), to all numbers of the dictionaries."""
+    case = _derived(path, given)
+    count = case.flat["estimatedCells" if case.options["method"] == "meshes" else "fluidParticles"]
+    if count > _MOST:
+        raise ParameterError(f"{case.scene.file}: {count:.3g} {'cells' if case.options['method'] == 'meshes' else 'particles'}; expected "
+                             f"{_MOST:g} at most: a coarser tier or resolution, or a shape without such thin parts")
+    return case
+
+
+def _derived(path: Path, given: dict[str, Any]) -> Case:
     options, tier_entries, entries = parameters(given)
     if options["soundSpeed"] is not None and options["method"] == "meshes":
         raise ParameterError("-soundSpeed is of particles; expected -method particles with it")
@@ -124,8 +136,9 @@ def derive(path: Path, given: dict[str, Any] = {}) -> Case:
         turn = np.eye(3)
     else:
         asked = particles.Particles(scene, tier, options["resolution"], options["cores"], model.choice, options["soundSpeed"])
-        decided |= particles.decide(scene, options["boundaryLayer"], options["surfaceTension"])
         of_method = particles.sections(asked)
+        c0 = next(entries["particleSoundSpeed"] for _, entries in of_method if "particleSoundSpeed" in entries)
+        decided |= particles.decide(asked, c0, options["boundaryLayer"], options["surfaceTension"])
         share = particles.share(model.choice)
         # plungeSPH's plane is x and y
         turn = np.array([[1.0, 0, 0], [0, 0, 1], [0, -1, 0]]) if model.choice == "plane" else np.eye(3)
@@ -245,8 +258,9 @@ def write_job(case: Case, run: Path, memory: float, hours: float) -> Path:
 
 def write(case: Case, run: Path, given: dict[str, Any]) -> bool:
     """Make the run directory, unless it is there for the same scene. Was it made?"""
-    if any(character.isspace() for character in str(run.absolute())):
-        raise ParameterError(f"run directory '{run}': expected a path without spaces, which OpenFOAM does not take")
+    if re.search(r"[^\w./+,=@%~:-]", str(run.absolute())):
+        raise ParameterError(f"run directory '{run}': expected a path of letters, digits and ._-+,=@%~: without spaces, quotes and brackets, "
+                             "which OpenFOAM does not take")
     if run.exists() and not run.is_dir():
         raise ParameterError(f"run directory '{run}': there is a file of this name; expected a directory, or none yet")
     generated = run / GENERATED
@@ -260,8 +274,10 @@ def write(case: Case, run: Path, given: dict[str, Any]) -> bool:
                 f"{run} holds another scene: {' '.join(differing[:_SHOWN])}{' ...' if len(differing) > _SHOWN else ''} differ in "
                 f"{generated}; choose another directory with -run, or remove this one")
         return False
-    if run.exists() and any(run.iterdir()) and not (run / "constant").exists() and not (run / "system").exists():
+    if run.exists() and any(run.iterdir()) and not (run / _BEGUN).exists():
         raise ParameterError(f"{run} holds other files; expected a new directory, or one that plungeCase has made")
+    run.mkdir(parents=True, exist_ok=True)
+    (run / _BEGUN).touch()
     _copy_case(case, run)
     _write_scene(case, run, parameters(given)[2])
     allrun = run / "Allrun"
@@ -269,4 +285,5 @@ def write(case: Case, run: Path, given: dict[str, Any]) -> bool:
     allrun.chmod(0o755)
     # Its presence says that the set-up is complete, so it comes last.
     foamDictionary.write(generated, NOTE, case.sections)
+    (run / _BEGUN).unlink()
     return True

@@ -89,7 +89,7 @@ def mesh(scene: Scene, method: str, modelled: str, asked: str) -> Decision:
     if modelled in ("plane", "axisymmetric"):
         if asked == "overset":
             raise ParameterError(f"{scene.source}: -mesh overset, but the model is {modelled}, whose mesh moves with the body; expected "
-                                 "auto or single, or -model half or full")
+                                 "auto or single" + ("" if modelled == "plane" else ", or -model half or full"))
         return Decision("single", f"of the {modelled} model: it moves with the body")
     if asked != "auto":
         return Decision(asked, "as asked")

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import os
 import re
-import shutil
 import subprocess
 import sys
 import tempfile
@@ -30,7 +29,6 @@ _COARSEST = 0.25
 _BASE_MEMORY = 95e3
 # CPU time of a cell and step goes with this power of the number of cells: iterations of the pressure grow as meshes do
 _GROWTH = {"meshes": 0.1, "particles": 0.0}
-_FIELDS = ("setFields", "setAlphaField")
 _NATIVE = {"meshes": "cells", "particles": "particles"}
 
 
@@ -52,16 +50,6 @@ def _directory_size(path: Path) -> int:
 
 def _times(log: str) -> list[float]:
     return [float(value) for value in re.findall(r"^Time = (\S+)", log, re.M)]
-
-
-def _commands(run: Path, given: dict[str, Any]) -> tuple[list[list[str]], list[list[str]]]:
-    """Of the run's Allrun: the steps that make the mesh or the body, and those that set its fields."""
-    steps = re.findall(r"^\s*(?:\[[^]]*\] \|\| )?step (\w+)\s+(.+)$", (run / "Allrun").read_text(), re.M)
-    skipped = {"decomposePar", "reconstructPar", "plungeTables"}
-    if given["mesh"] != "overset" and given.get("scene") != "tank":
-        skipped |= {"blockMesh", "snappyHexMesh", "mergeMeshes", "setFields"}
-    wanted = [(name, command.split()) for name, command in steps if name not in skipped]
-    return [command for name, command in wanted if name not in _FIELDS], [command for name, command in wanted if name in _FIELDS]
 
 
 def _run(command: Sequence[str], run: Path, log: Path, limit: float = 600.0) -> tuple[float, float]:
@@ -88,12 +76,7 @@ def _probe(scene: Path, entries: dict[str, Any], resolution: float, run: Path) -
     coarse = cases.derive(scene, asked)
     cases.write(coarse, run, asked)
     method = coarse.options["method"]
-    meshing, fields = _commands(run, coarse.flat)
-    set_up = sum(_run(command, run, run / f"log.{command[0]}")[0] for command in meshing)
-    if method == "meshes":
-        shutil.copytree(run / "0.orig", run / "0")
-    for command in fields:
-        _run(command, run, run / f"log.{command[0]}")
+    set_up, _ = _run([str(run / "Allrun"), "-setUp"], run, run / "log.Allrun")
     solver = coarse.flat["application"]
     _, memory = _run([solver, *(["-threads", "1"] if method == "particles" else [])], run, run / f"log.{solver}", PROBE_SECONDS)
     log = (run / f"log.{solver}").read_text(errors="replace")

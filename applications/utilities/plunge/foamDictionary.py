@@ -22,6 +22,8 @@ def _strip_comments(text: str) -> str:
 
 
 def _value(token: str) -> Any:
+    if "_" in token:    # Python's own way to write a number
+        return token.strip('"')
     for kind in (int, float):
         try:
             return kind(token)
@@ -33,9 +35,11 @@ def _value(token: str) -> Any:
 def read(path: Path) -> dict[str, Any]:
     """Return the entries of a dictionary file; numbers become int or float, lists become Python lists."""
     try:
-        return parse(path.read_text(), str(path))
+        return parse(path.read_text(encoding="utf-8-sig", errors="replace"), str(path))
     except OSError as error:
         raise DictionaryError(f"{path}: cannot be read: {error.strerror}") from None
+    except RecursionError:
+        raise DictionaryError(f"{path}: brackets nested too deep; expected a scene's few levels") from None
 
 
 def parse(text: str, source: str) -> dict[str, Any]:

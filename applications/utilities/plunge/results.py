@@ -267,9 +267,9 @@ def added_mass(case: Path) -> Quantities:
     for (row, column), (direction, kind) in _ADDED_MASS.items():
         value = float(tensor[row, column])
         if value:
-            numbers[f"added {kind} {direction}"] = (value, f"kg{per}" if kind == "mass" else f"kg m2{per}")
+            numbers[f"added {kind} {direction} at end"] = (value, f"kg{per}" if kind == "mass" else f"kg m2{per}")
             if kind == "mass":
-                numbers[f"added {kind} {direction} over displaced mass"] = (value / displaced, "-")
+                numbers[f"added {kind} {direction} at end, over displaced mass"] = (value / displaced, "-")
     return numbers
 
 
@@ -423,7 +423,7 @@ def describe(case: Path) -> str:
     """One line that names the case: directory, body and how it moves, fluids, model, tier and cells or particles."""
     words = [case.resolve().name]
     given = parameters(case)
-    if given:
+    if given and "bodyLength" in given:
         length, speed, angle = (float(given[name]) for name in ("bodyLength", "speed", "pathAngle"))
         freedom = given.get("freedom", "free")
         way = f"at {speed:.4g} m/s and {angle:g} deg" if speed else "fixed" if freedom == "fixed" else "from rest"

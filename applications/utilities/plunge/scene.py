@@ -46,6 +46,8 @@ _GAP = 0.01
 # Until an event, at most: way in body lengths beyond the gap
 _LONGEST = 4.0
 _FRAMES = 10
+# Of the body, its longest [m]
+_SIZES = 1e-3, 100.0
 _TRANSITION = 5e5  # Reynolds number of a flat plate's transition in a stream that is not still
 
 
@@ -69,8 +71,10 @@ class Scene:
 
     @property
     def scale(self) -> float:
-        """Length that meshes and domains go with [m]: that of a body of this shape's length and width that were as slender as 0.1."""
-        return self.shape.length * (10 * self.shape.slenderness) ** (1 / 3)
+        """Length that meshes and domains go with [m]: that of a body of this shape's length and width that were as slender as 0.1. A
+        flat body counts as long as it is wide."""
+        slenderness = self.shape.slenderness
+        return max(self.shape.length, slenderness * self.shape.length) * (10 * min(slenderness, 1.0)) ** (1 / 3)
 
     @cached_property
     def speed(self) -> float:
@@ -263,8 +267,10 @@ def read_entries(path: Path, overrides: dict[str, Any]) -> dict[str, Any]:
     """The entries of a scene's file; `overrides` (flat names) take the place of the file's."""
     entries = foamDictionary.read(path)
     for name, value in overrides.items():
-        if name == "entry.speed" and isinstance(entries.get("entry"), dict):
-            entries["entry"].pop("drop", None)
+        for pair in (("entry.speed", "entry.drop"), ("entry.gap", "entry.depth")):
+            if name in pair and isinstance(entries.get("entry"), dict):
+                for other in pair:
+                    entries["entry"].pop(other.split(".")[1], None)
         if name in _END:
             for other in _END:
                 if other != "until":
@@ -334,6 +340,20 @@ def _check_consistency(scene: Scene) -> None:
     given, source, shape = scene.given, scene.source, scene.shape
     centre = scene.centre
     points, _ = shape.surface()
+    if not _SIZES[0] <= max(shape.length, shape.max_diameter) <= _SIZES[1]:
+        raise ParameterError(f"{source}: the body is {max(shape.length, shape.max_diameter):.4g} m long; expected {_SIZES[0]:g} to {_SIZES[1]:g} m; "
+                             "of a shape from a file, scale is metres per unit of the file")
+    if "body.momentOfInertia" in given:
+        moments = sorted(given["body.momentOfInertia"])
+        largest = scene.mass * max(shape.length, shape.max_diameter) ** 2
+        if moments[2] > moments[0] + moments[1] * (1 + 1e-9) or moments[2] > largest:
+            raise ParameterError(f"{source}: entry 'body.momentOfInertia' is {foamDictionary.format_value(given['body.momentOfInertia'])}; expected "
+                                 f"moments of which none exceeds the sum of the others, nor mass times length squared, {largest:.4g} kg m2")
+    if scene.fluids["gasDensity"] >= scene.fluids["liquidDensity"]:
+        raise ParameterError(f"{source}: the gas, {scene.fluids['gasDensity']:g} kg/m3, is no lighter than the liquid, "
+                             f"{scene.fluids['liquidDensity']:g} kg/m3; expected a lighter one")
+    if "entry.drop" in given and scene.fluids["gravity"] == 0:
+        raise ParameterError(f"{source}: entry 'entry.drop' is given, but gravity is 0; expected speed")
     if (centre < points.min(axis=0) - 1e-9).any() or (centre > points.max(axis=0) + 1e-9).any():
         raise ParameterError(f"{source}: entry 'body.centreOfMass' is {foamDictionary.format_value(given['body.centreOfMass'])}; expected "
                              f"metres aft of the nose, inside the body, which spans {_span(points)}")
@@ -344,8 +364,19 @@ def _check_consistency(scene: Scene) -> None:
         raise ParameterError(f"{source}: entry 'travel' is given, but the speed is 0; expected duration")
     if scene.speed == 0 and scene.fluids["gravity"] == 0 and "duration" not in given and scene.freedom not in ("fixed",):
         raise ParameterError(f"{source}: the body is at rest without gravity; expected duration")
-    if scene.freedom == "axial" and scene.spin[1:].any():
-        raise ParameterError(f"{source}: entry 'entry.spin' turns the body, which freedom axial does not allow; expected planar or free")
+    for barred, freedoms, entry in ((scene.spin.any(), ("axial",), "spin"), (scene.spin[[0, 2]].any(), ("planar",), "spin"),
+                                    (given.get("entry.sideslip", 0) != 0, ("planar",), "sideslip")):
+        if barred and scene.freedom in freedoms:
+            raise ParameterError(f"{source}: entry 'entry.{entry}' moves the body in a way that freedom {scene.freedom} does not allow; expected "
+                                 f"{'planar or free' if scene.freedom == 'axial' else 'free'}")
+    if shape.dimensions == 2 and scene.spin[[0, 2]].any():
+        raise ParameterError(f"{source}: entry 'entry.spin' rolls or yaws a shape that lies in a plane; expected pitch alone: (0 1 0)")
+    event = given.get("until")
+    over = {"immersed": scene.immersed and _highest(scene) < 0, "atRest": scene.speed == 0 and scene.freedom in ("fixed", "prescribed"),
+            "leftTheLiquid": scene.freedom == "fixed"}
+    if event and (over[event] or (event == "atRest" and scene.freedom == "prescribed")):
+        raise ParameterError(f"{source}: entry 'until' is {event}, which {'holds from the start' if over[event] and event != 'leftTheLiquid' else 'never comes'}; "
+                             "expected another event, or duration")
     if scene.immersed and scene.lowest >= 0:
         raise ParameterError(f"{source}: entry 'entry.depth' is {given['entry.depth']:g}, which leaves the body above the surface; expected "
                              "more, or gap for a body that starts in the air")
@@ -362,6 +393,12 @@ def _check_consistency(scene: Scene) -> None:
             raise ParameterError(f"{source}: entry 'body.freedom' is prescribed and the speed is 0 above the liquid; expected a speed")
     if shape.dimensions == 2 and "entry.sideslip" in given:
         raise ParameterError(f"{source}: entry 'entry.sideslip' is given, but the shape lies in a plane; expected no such entry")
+
+
+def _highest(scene: Scene) -> float:
+    """Height of the body's highest point at the start [m]"""
+    points, _ = scene.shape.surface()
+    return float(scene.nose[2] + (points @ scene.place)[:, 2].max())
 
 
 def _span(points: np.ndarray) -> str:

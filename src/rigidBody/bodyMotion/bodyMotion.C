@@ -91,15 +91,18 @@ void Foam::bodyMotion::check(const boundBox& domain) const
 
     checkBodyCoefficients(dict_);
 
+    // What lies on a plane of symmetry or on an axis is on the boundary, to round-off
+    boundBox about(domain);
+    about.inflate(1e-9);
     const boundBox body(bounds());
-    if (!domain.contains(body))
+    if (!about.contains(body))
     {
         FatalIOErrorInFunction(dict_)
             << "The body reaches outside the domain: its patches span "
             << body << nl
             << "Expected: a body inside " << domain << exit(FatalIOError);
     }
-    if (!domain.contains(motion_.centreOfMass()))
+    if (!about.contains(motion_.centreOfMass()))
     {
         FatalIOErrorInFunction(dict_)
             << "Entry centreOfMass: " << motion_.centreOfMass() << nl

@@ -213,7 +213,7 @@ def sections(meshes: Meshes, decided: dict[str, Decision]) -> list[tuple[str, di
         *([("Background mesh", background.entries)] if background else []),
         *turbulence,
         ("Run", {
-            "cores": meshes.cores, "estimatedCells": round(cells, -3) or round(cells),
+            "cores": meshes.cores, "estimatedCells": round(cells, -3) if cells > 1e4 else round(cells),
             "estimatedSteps": round(scene.duration / time_step, -1),
             "coresSplit": cores_split(meshes.cores, meshes.model in ("axisymmetric", "plane")),
             "pressureCorrections": _CORRECTIONS[meshes.model],

@@ -115,9 +115,15 @@ def share(model: str) -> float:
     return {"half": 0.5, "quarter": 0.25}.get(model, 1.0)
 
 
-def decide(scene: Scene, boundary_layer: str, surface_tension: str) -> dict[str, Decision]:
-    """What the flow holds."""
+def decide(particles: Particles, c0: float, boundary_layer: str, surface_tension: str) -> dict[str, Decision]:
+    """What the flow holds; c0: the speed of sound that came out [m/s]."""
+    scene = particles.scene
+    reach = 2 * _SMOOTHING_LENGTH * particles.spacing
+    if not scene.immersed and scene.lowest < reach:
+        scene.notes.append(f"gap: the body is {scene.lowest:.3g} m above the surface, but particles reach {reach:.3g} m: it is loaded before contact")
+    mach = scene.reference_speed / c0
     return {
         "boundary_layer": decisions.boundary_layer(scene, "particles", boundary_layer, 0.0),
         "surface_tension": decisions.surface_tension(scene, "particles", surface_tension),
+        "compressibility": Decision("artificial", f"c0 = {c0:.3g} m/s, Ma = {mach:.3g}" + (": above 0.1 the density changes visibly" if mach > 0.11 else "")),
     }

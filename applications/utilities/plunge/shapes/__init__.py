@@ -57,12 +57,17 @@ def _ellipse(length: float, width: float) -> Curve:
     return Curve([arc(length / 2, 0, length / 2, width / 2, np.pi, 0.0)])
 
 
+_MOST_POINTS = 5000
+
+
 def _points(path: Path, scale: float) -> np.ndarray:
     """Two columns of a .csv file [m]; a line that holds no numbers may be the header."""
     try:
-        rows = [row.split("#")[0].replace(";", ",").replace(",", " ").split() for row in path.read_text().splitlines()]
+        text = path.read_text(encoding="utf-8-sig")
     except (OSError, UnicodeDecodeError) as error:
         raise ShapeError(f"entry 'file': {path} cannot be read: {getattr(error, 'strerror', None) or 'not a text'}") from None
+    rows = [row.split("#")[0].replace(";", ",").replace(",", " ").split() for row in text.splitlines()]
+    header = next((number_ for number_, row in enumerate(rows, 1) if row), 0)
     points = []
     for number_, row in enumerate(rows, 1):
         if not row:
@@ -70,14 +75,16 @@ def _points(path: Path, scale: float) -> np.ndarray:
         try:
             values = [float(word) for word in row]
         except ValueError:
-            if points:
+            if number_ != header or any(character.isdigit() for word in row for character in word):
                 raise ShapeError(f"{path}, line {number_}: '{' '.join(row)}'; expected two numbers") from None
             continue
         if len(values) != 2 or not np.isfinite(values).all():
-            raise ShapeError(f"{path}, line {number_}: {len(values)} numbers; expected two")
+            raise ShapeError(f"{path}, line {number_}: '{' '.join(row)}'; expected two numbers")
         points.append(values)
     if len(points) < 3:
         raise ShapeError(f"{path}: {len(points)} points; expected three or more")
+    if len(points) > _MOST_POINTS:
+        raise ShapeError(f"{path}: {len(points)} points; expected {_MOST_POINTS} at most: a spline goes through them")
     return scale * np.array(points)
 
 
@@ -87,6 +94,8 @@ def _meridian(file: Path, scale: float = 1.0) -> Revolution:
     if x[-1] < x[0]:
         x, r = x[::-1], r[::-1]
     extent = max(np.ptp(x), r.max())
+    if np.ptp(x) <= 1e-9 * extent or r.max() <= 0:
+        raise ShapeError(f"{file}: points on one line; expected a meridian with length and width")
     if (r < -1e-9 * extent).any():
         raise ShapeError(f"{file}: a radius of {r.min():g}; expected none below 0")
     x = x - x[0]

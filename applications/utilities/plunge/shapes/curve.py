@@ -12,6 +12,8 @@ from plunge.shapes.shape import ShapeError
 _SAMPLES = 4001         # of each smooth piece
 # A polygon's angles above the second are corners; those above the first are, where they are several times their neighbours'
 _CORNERS = np.radians(5), np.radians(20)
+_MOST_CORNERS = 40
+_STRAIGHT = 4.0
 
 
 class Curve:
@@ -116,6 +118,14 @@ def through(x: np.ndarray, r: np.ndarray, source: str) -> Curve:
         around = around[around < _CORNERS[1]]
         if angle > max(3 * around.max(initial=0), _CORNERS[0]) or angle > _CORNERS[1]:
             corners.append(i + 1)
+    # A step that is much longer than those beside it is straight: a cylinder behind an ogive
+    for i, step in enumerate(steps):
+        beside = np.concatenate((steps[max(0, i - 1):i], steps[i + 1:i + 2]))
+        if len(beside) and step > _STRAIGHT * beside.min():
+            corners += [end for end in (i, i + 1) if 0 < end < len(x) - 1]
+    corners = sorted(set(corners))
+    if len(corners) > _MOST_CORNERS:
+        raise ShapeError(f"{source}: {len(corners)} corners; expected {_MOST_CORNERS} at most: smooth the points, or give a surface")
     pieces = []
     for first, last in zip([0, *corners], [*corners, len(x) - 1]):
         px, pr = x[first:last + 1], r[first:last + 1]
