@@ -80,7 +80,7 @@ def circle(run: Path, body: str, centre: str, event: str, **control: object) -> 
         "geometry/walls": "( { name tank; type box; min (0 0 0); max (1 0.7 0); open (top); }"
                           f" {{ name log; type sphere; centre {centre}; radius 0.06; }} )",
         "bodies": f"{{ log {{ mass 6; momentOfInertia (0.1 0.1 0.1); centreOfMass {centre}; {body} }} }}",
-        "precision": "double", "until": event, "outputs/surfaceLevel": 0.5}
+        "geometry/spacing": 0.02, "precision": "double", "until": event, "outputs/surfaceLevel": 0.5}
     return case("stillTank", run, entries, endTime=1, **{"writeInterval": 0.05, "purgeWrite": 0, **control})
 
 
