@@ -570,7 +570,7 @@ def write_dive(folder: Path, pressure: float | None = None) -> None:
     """Flat liquid and a sphere that sinks into it, with that pressure on it."""
     from plunge.surfaces import Series, free_surface
     from vtkmodules.numpy_interface import dataset_adapter as dsa
-    from vtkmodules.vtkFiltersSources import vtkRegularPolygonSource, vtkSphereSource
+    from vtkmodules.vtkFiltersSources import vtkSphereSource
 
     mesh, sides = composite(False)
     liquid, body = Series(folder, "freeSurface"), Series(folder, "body")
@@ -838,7 +838,7 @@ def particle_dive(case: Path, flat: bool = False) -> Path:
     from vtkmodules.util.numpy_support import numpy_to_vtk
     from vtkmodules.vtkCommonCore import vtkPoints
     from vtkmodules.vtkCommonDataModel import vtkPolyData
-    from vtkmodules.vtkFiltersSources import vtkSphereSource
+    from vtkmodules.vtkFiltersSources import vtkRegularPolygonSource, vtkSphereSource
 
     header = "FoamFile {{ version 2.0; format ascii; class dictionary; object {}; }}\n"
     for path, text in {
@@ -870,6 +870,7 @@ def particle_dive(case: Path, flat: bool = False) -> Path:
         if flat:    # plungeSPH writes the section's outline
             shape = vtkRegularPolygonSource()
             shape.SetNumberOfSides(80)
+            shape.GeneratePolylineOff()
         else:
             shape = vtkSphereSource()
             shape.SetThetaResolution(40)
