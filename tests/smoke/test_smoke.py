@@ -23,7 +23,7 @@ TANKS = [
 CONE_25 = ("-set", "body.shape.halfAngle=25", "-set", "body.shape.length=0.3208", "-set", "body.mass=0.59078", "-set", "entry.drop=1")
 # Those with a body that falls into the liquid: the diameter over the speed at contact [s].
 FALLING = [
-    ("fallingCylinder", "particles", ("-resolution", 0.25), 0.11/2.955), ("fallingCylinder", "meshes", ("-resolution", 0.5), 0.11/2.955),
+    ("fallingCylinder", "particles", ("-resolution", 0.4), 0.11/2.955), ("fallingCylinder", "meshes", ("-resolution", 0.5), 0.11/2.955),
     ("fallingCone", "particles", ("-resolution", 0.8), 0.052/3.132), ("fallingCone", "meshes", ("-resolution", 0.5), 0.052/3.132),
     ("fallingCone", "particles", ("-resolution", 0.8, *CONE_25), 0.052/4.429),
 ]
