@@ -160,11 +160,23 @@ void Foam::freeSurfaceFlow::reportScene(Ostream& os) const
         << nl;
     if (body_)
     {
-        const scalar displaced = rho1*body_->enclosedVolume();
+        const scalar volume = body_->enclosedVolume();
+        const scalar displaced = rho1*volume;
         if (displaced > 0)
         {
             os  << "    mass        : body/displaced " << phase1 << ' '
                 << body_->mass()/displaced << nl;
+        }
+
+        const scalar expected =
+            scene_.dict().subOrEmptyDict("reference").lookupOrDefault<scalar>("volume", volume);
+        if (mag(volume - expected) > 0.02*expected)
+        {
+            remarks.append
+            (
+                "The body in the mesh has " + name(100*volume/expected) + " % of its volume: parts of it are thinner than the cells"
+                " there. Its mass is that of the whole body"
+            );
         }
     }
 

@@ -184,7 +184,7 @@ Foam::scalar Foam::bodyMotion::enclosedVolume() const
     for (const label patchi : patches_)
     {
         const fvPatch& patch = mesh_.boundary()[patchi];
-        volume -= sum(patch.Cf() & patch.Sf())/3;
+        volume -= sum(patch.Cf() & patch.Sf())/mesh_.nGeometricD();
     }
     return returnReduce(volume, sumOp<scalar>());
 }
