@@ -37,7 +37,7 @@ def solve(run: Path, spacing: float, c0: float, fluid: np.ndarray, velocity: np.
     wall = np.concatenate([np.full(len(fluid), -1), np.zeros(len(floor))]).astype("<i4")
     given = {"smoothingLength": 2, "viscosity": "none", "densityDiffusion": "none", **entries}
     unused = "alpha" if "delta" in entries else "(alpha delta)"
-    prepareCase("stillTank", run, changes={
+    prepareCase("stillTank", run, ["-method", "particles", "-np", "1"], {
         particleRuns.PROPERTIES: f"geometry {{ spacing {spacing!r}; }}\n#remove {unused}\n#remove speedOfSound\n#remove outputs\nspeedOfSound {{ c0 {c0}; }}\n"
                                  + "\n".join(f"{key} {value}{'' if str(value).startswith('{') else ';'}" for key, value in given.items()),
         particleRuns.CONTROL: f"endTime {endTime}; writeInterval {interval};", "constant/g": f"value (0 {-gravity} 0);"})

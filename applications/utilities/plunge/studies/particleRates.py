@@ -44,8 +44,8 @@ def timed(run: Path, changes: Mapping[str, str], threads: int) -> None:
     """The better of two runs, in run/0 and run/1."""
     found = []
     for part in (run / "0", run / "1"):
-        prepareCase("kleefsman", part, changes=changes)
-        solve(part, threads)
+        prepareCase("kleefsman", part, ["-method", "particles", "-np", str(threads)], changes)
+        solve(part)
         lines = re.findall(r"dt (\S+) s,.*\| (\S+) million particle steps/s, (\S+) million pairs/s", (part / LOG).read_text())
         # The first has the start in it, the last may be short
         middle = np.median(np.array(lines[1:-1] or lines, float), axis=0)
