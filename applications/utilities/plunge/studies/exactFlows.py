@@ -9,7 +9,6 @@ from scipy.integrate import solve_ivp
 
 from plunge.studies import particleRuns
 from plunge.studies.scenes import prepareCase
-from plunge.studies.scenes import solve as solveScene
 
 DROP_END = 0.8                  # [s]
 DEPTH, WAVE_SPEED = 0.5, 0.2    # of the wave [m, m/s]
@@ -49,7 +48,8 @@ def solve(run: Path, spacing: float, c0: float, fluid: np.ndarray, velocity: np.
                       mass, np.zeros(len(x))):
             file.write(array.astype("<f8").tobytes())
         file.write(wall.tobytes())
-    solveScene(run)
+    if not particleRuns.isComplete(run):
+        particleRuns.call(run, "plungeSPH", mode="a")
 
 
 def planes(low: Tuple[float, float], high: Tuple[float, float], axes: str) -> str:
