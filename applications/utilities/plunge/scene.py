@@ -13,7 +13,7 @@ import numpy as np
 
 from plunge import fluids as fluid_pairs
 from plunge import foamDictionary
-from plunge.checks import Check, ParameterError, checked, count, flat, not_negative, number, positive, triple, word
+from plunge.checks import Check, ParameterError, checked, flat, not_negative, number, positive, triple, word
 from plunge.shapes import Shape, ShapeError, read_shape
 
 FREEDOMS = ("fixed", "prescribed", "axial", "planar", "free")
@@ -38,7 +38,8 @@ _ENTRY: dict[str, Check] = {
     "spin": triple("three numbers: (roll pitch yaw) [rad/s]"),
 }
 _END: dict[str, Check] = {"duration": positive, "travel": positive, "until": word(*EVENTS)}
-_OTHER: dict[str, Check] = {"transitionReynolds": not_negative, "frames": count(1)}
+_OTHER: dict[str, Check] = {"transitionReynolds": not_negative,
+                           "frames": ("a whole number, 1 to 10000", lambda v: type(v) is int and 1 <= v <= 10000)}
 _TOP = ("body", "fluids", "entry", *_END, *_OTHER)
 
 # Height of the lowest point above the surface at the start, in body scales, unless given

@@ -175,7 +175,9 @@ def draw(axes: Axes, film: Film, section: Section, look: Look) -> None:
     """The section at a written time: pressure, of mirrored sections left of the axis, with speed right of it."""
     halves = [(-1, True), (1, False)] if film.mirrored else [(1, True)]
     for side, of_pressure in halves:
-        points = section.points * [side, 1]
+        # The sector of a body that heads upwards lies left of the axis
+        own = np.sign(np.median(section.points[:, 0])) or 1.0
+        points = section.points * [own * side if film.mirrored else 1.0, 1]
         values, per, colours = ((section.pressure, look.perPressure, look.pressure) if of_pressure else
                                 (section.speed, look.perSpeed, look.speed))
         values = np.zeros(len(points)) if values is None else values / per
