@@ -174,7 +174,7 @@ void Foam::freeSurfaceFlow::reportScene(Ostream& os) const
         {
             remarks.append
             (
-                "The body in the mesh has " + name(100*volume/expected) + " % of its volume: parts of it are thinner than the cells"
+                "The body in the mesh has " + name(100*volume/expected) + " % of its volume: its faces are coarse, or parts of it thinner than the cells"
                 " there. Its mass is that of the whole body"
             );
         }
