@@ -7,7 +7,7 @@ import re
 import shlex
 import shutil
 from dataclasses import dataclass
-from math import ceil, pi, radians, sin
+from math import ceil
 from pathlib import Path
 from typing import Any
 
@@ -16,9 +16,8 @@ import numpy as np
 from plunge import decisions, foamDictionary
 from plunge import scene as scenes
 from plunge import tank as tank_scenes
-from plunge.checks import ParameterError, checked, count, number, word
+from plunge.checks import ParameterError, count, number, word
 from plunge.decisions import Decision
-from plunge.meridianMesh import SECTOR
 from plunge.methods import meshes, particles, tanks, tiers
 from plunge.methods.meshes import vector
 from plunge.methods.tiers import TEMPLATES
@@ -48,8 +47,6 @@ OPTIONS = {
 DEFAULTS: dict[str, Any] = {"method": "meshes", "model": "auto", "mesh": "auto", "tier": "fast", "resolution": 1, "cores": 2,
                             "boundaryLayer": "auto", "surfaceTension": "auto", "soundSpeed": None}
 APPLICATIONS = {"meshes": "plungeFoam", "particles": "plungeSPH"}
-# How a body that is free to do so moves in a model that holds a part of it
-_MOTIONS = {"fixed": "prescribed", "prescribed": "prescribed", "axial": "axial", "planar": "planar", "free": "free"}
 
 
 @dataclass(frozen=True)
@@ -64,6 +61,16 @@ class Case:
     @property
     def flat(self) -> dict[str, Any]:
         return {k: v for _, entries in self.sections for k, v in entries.items()}
+
+    @property
+    def unit(self) -> str:
+        """What its resolution is counted in"""
+        return "cells" if self.options["method"] == "meshes" else "particles"
+
+    @property
+    def count(self) -> float:
+        """Of them, estimated"""
+        return float(self.flat["estimatedCells" if self.unit == "cells" else "fluidParticles"])
 
     @property
     def name(self) -> str:
@@ -109,10 +116,8 @@ def parameters(given: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any], d
 def derive(path: Path, given: dict[str, Any] = {}) -> Case:
     """A scene's file or case directory, and what the command line asks for (flat names), to all numbers of the dictionaries."""
     case = _derived(path, given)
-    count = case.flat["estimatedCells" if case.options["method"] == "meshes" else "fluidParticles"]
-    if count > _MOST:
-        raise ParameterError(f"{case.scene.file}: {count:.3g} {'cells' if case.options['method'] == 'meshes' else 'particles'}; expected "
-                             f"{_MOST:g} at most: a coarser tier or resolution, or a shape without such thin parts")
+    if case.count > _MOST:
+        raise ParameterError(f"{case.scene.file}: {case.count:.3g} {case.unit}; expected {_MOST:g} at most: a coarser tier or resolution, or a shape without such thin parts")
     return case
 
 
@@ -132,17 +137,15 @@ def _derived(path: Path, given: dict[str, Any]) -> Case:
         asked = meshes.Meshes(scene, tier, options["resolution"], options["cores"], model.choice, mesh.choice)
         decided |= meshes.decide(asked, options["boundaryLayer"], options["surfaceTension"])
         of_method = meshes.sections(asked, decided)
-        share = {"half": 0.5, "axisymmetric": sin(radians(SECTOR)) / (2 * pi)}.get(model.choice, 1.0)
         turn = np.eye(3)
     else:
         asked = particles.Particles(scene, tier, options["resolution"], options["cores"], model.choice, options["soundSpeed"])
         of_method = particles.sections(asked)
         c0 = next(entries["particleSoundSpeed"] for _, entries in of_method if "particleSoundSpeed" in entries)
         decided |= particles.decide(asked, c0, options["boundaryLayer"], options["surfaceTension"])
-        share = particles.share(model.choice)
         # plungeSPH's plane is x and y
         turn = np.array([[1.0, 0, 0], [0, 0, 1], [0, -1, 0]]) if model.choice == "plane" else np.eye(3)
-    return Case(scene, options, decided, [*_common(scene, options, decided, share, turn), *of_method])
+    return Case(scene, options, decided, [*_common(scene, options, decided, turn), *of_method])
 
 
 def _of_tank(tank: Tank, options: dict[str, Any], tier_entries: dict[str, Any]) -> Case:
@@ -156,13 +159,13 @@ def _of_tank(tank: Tank, options: dict[str, Any], tier_entries: dict[str, Any]) 
     return Case(tank, options, decided, tanks.sections(tank, tier, options, decided))
 
 
-def _common(scene: Scene, options: dict[str, Any], decided: dict[str, Decision], share: float,
-            turn: np.ndarray) -> list[tuple[str, dict[str, Any]]]:
+def _common(scene: Scene, options: dict[str, Any], decided: dict[str, Decision], turn: np.ndarray) -> list[tuple[str, dict[str, Any]]]:
     """Sections that every method has; `turn` takes the scene's axes to the method's."""
     fluids, shape = scene.fluids, scene.shape
     inertia, _ = scene.principal
     nose = scene.nose
-    motion = _MOTIONS[scene.freedom]
+    share = decisions.share(decided["model"].choice)
+    motion = "prescribed" if scene.freedom == "fixed" else scene.freedom
     if motion == "free" and decided["model"].choice in ("half", "plane"):
         motion = "planar"
 

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from math import isfinite
-from typing import Any, Callable
+from typing import Any, Callable, Collection
 
 from plunge import foamDictionary
 
@@ -49,12 +49,17 @@ def flat(entries: dict[str, Any], prefix: str = "", keep: tuple[str, ...] = ()) 
     return found
 
 
-def checked(entries: dict[str, Any], source: str, required: dict[str, Check], optional: dict[str, Check] = {}) -> dict[str, Any]:
-    """The entries, each of which is known and what is expected."""
-    known = {**required, **optional}
+def refuse_unknown(entries: dict[str, Any], source: str, known: Collection[str]) -> None:
+    """An error that names the first entry which is not known."""
     for key in entries:
         if key not in known:
             raise ParameterError(f"{source}: unknown entry '{key}'; expected: {' '.join(known)}")
+
+
+def checked(entries: dict[str, Any], source: str, required: dict[str, Check], optional: dict[str, Check] = {}) -> dict[str, Any]:
+    """The entries, each of which is known and what is expected."""
+    known = {**required, **optional}
+    refuse_unknown(entries, source, known)
     for key, (expectation, holds) in known.items():
         if key not in entries:
             if key in required:

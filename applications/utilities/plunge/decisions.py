@@ -4,17 +4,21 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import pi, radians, sin
 from typing import Any
 
 import numpy as np
 
 from plunge import boundaryLayer
 from plunge.checks import ParameterError
+from plunge.meridianMesh import SECTOR
 from plunge.scene import Scene
 
 METHODS = ("meshes", "particles")
 MODELS = ("plane", "axisymmetric", "quarter", "half", "full")
 MESHES = ("overset", "single")
+# Of the body that a model holds; elsewhere all of it. Between plane wedges a sector has the volume of a polygon's.
+_SHARES = {"half": 0.5, "quarter": 0.25, "axisymmetric": sin(radians(SECTOR)) / (2 * pi)}
 
 # Weber number above which surface tension acts on less than a millionth of the length, which no mesh resolves
 _HIGHEST_WEBER = 1e6
@@ -78,6 +82,11 @@ def model(scene: Scene, method: str, asked: str) -> Decision:
     if not why_not_half:
         return Decision("half", "nothing drives the body out of its plane of symmetry")
     return Decision("full", why_not_half)
+
+
+def share(modelled: str) -> float:
+    """Of the body that a model holds."""
+    return _SHARES.get(modelled, 1.0)
 
 
 def mesh(scene: Scene, method: str, modelled: str, asked: str) -> Decision:

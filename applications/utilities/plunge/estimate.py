@@ -29,7 +29,6 @@ _COARSEST = 0.25
 _BASE_MEMORY = 95e3
 # CPU time of a cell and step goes with this power of the number of cells: iterations of the pressure grow as meshes do
 _GROWTH = {"meshes": 0.1, "particles": 0.0}
-_NATIVE = {"meshes": "cells", "particles": "particles"}
 
 
 @dataclass(frozen=True)
@@ -46,10 +45,6 @@ class Probe:
 
 def _directory_size(path: Path) -> int:
     return sum(file.stat().st_size for file in path.rglob("*") if file.is_file())
-
-
-def _times(log: str) -> list[float]:
-    return [float(value) for value in re.findall(r"^Time = (\S+)", log, re.M)]
 
 
 def _run(command: Sequence[str], run: Path, log: Path, limit: float = 600.0) -> tuple[float, float]:
@@ -81,13 +76,13 @@ def _probe(scene: Path, entries: dict[str, Any], resolution: float, run: Path) -
     _, memory = _run([solver, *(["-threads", "1"] if method == "particles" else [])], run, run / f"log.{solver}", PROBE_SECONDS)
     log = (run / f"log.{solver}").read_text(errors="replace")
     count = cell_count(run) if method == "meshes" else sum(particle_counts(run))
-    times = _times(log)
     if method == "particles":
         told = [(float(t), float(dt)) for t, dt in re.findall(r"^Time = (\S+)  dt (\S+) s", log, re.M)]
         reached = told[-1][0] if told else 0.0
         steps = reached * len(told) / sum(dt for _, dt in told) if told else 0.0
     else:
-        steps, reached = float(len(times)), times[-1] if times else 0.0
+        times = re.findall(r"^Time = (\S+)", log, re.M)
+        steps, reached = float(len(times)), float(times[-1]) if times else 0.0
     if steps < 5 or reached <= 0:
         raise ParameterError(f"the probe came no further than step {steps:.0f} in {PROBE_SECONDS:.0f} s; expected a coarser tier")
     whole = steps * coarse.scene.duration / reached
@@ -96,10 +91,6 @@ def _probe(scene: Path, entries: dict[str, Any], resolution: float, run: Path) -
         _directory_size(run / "VTK") / max(1, len(list((run / "VTK").glob("particles*.vt*"))))
     return Probe(count, whole, cpu_seconds(run) / (count * steps), set_up / count, max(0.0, memory - _BASE_MEMORY) / count,
                  disk / 1000 / count), coarse
-
-
-def _expected(case: Case) -> float:
-    return float(case.flat["estimatedCells"] if case.options["method"] == "meshes" else case.flat["fluidParticles"])
 
 
 def _duration(seconds: float) -> str:
@@ -143,19 +134,19 @@ class Estimate:
 def of(scene: Path, entries: dict[str, Any], case: Case) -> Estimate:
     """By a probe in a temporary directory, which is announced on stderr."""
     method, resolution = case.options["method"], float(case.options["resolution"])
-    ratio = _PROBE_COUNT[method] / _expected(case)
+    ratio = _PROBE_COUNT[method] / case.count
     dimensions = 2 if case.flat["model"] in ("plane", "axisymmetric") else 3
     probed = max(_COARSEST, min(0.5 * resolution, resolution * ratio ** (1 / dimensions)))
     print(f"Probing at resolution {probed:.2g} (up to {PROBE_SECONDS:.0f} s) ...", file=sys.stderr, flush=True)
     with tempfile.TemporaryDirectory(prefix="plungeEstimate") as folder:
         probe, coarse = _probe(scene, entries, probed, Path(folder).resolve() / "run")
 
-    count = _expected(case) * probe.count / _expected(coarse)
+    count = case.count * probe.count / coarse.count
     steps = probe.steps * resolution / probed * _coarser(case, coarse)
     growth = (count / probe.count) ** _GROWTH[method]
     cores = case.options["cores"]
     processes = cores if method == "meshes" else 1
-    return Estimate(_NATIVE[method], count, steps, probe.set_up * count, probe.solver * growth * count * steps, cores,
+    return Estimate(case.unit, count, steps, probe.set_up * count, probe.solver * growth * count * steps, cores,
                     (processes * _BASE_MEMORY + probe.memory * count) / 1000,
                     probe.frame * count * (case.scene.frames + 1) / 1000, case.scene.frames)
 

@@ -14,6 +14,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 from math import ceil, log
+from typing import Iterator
 
 import numpy as np
 from scipy.interpolate import PchipInterpolator
@@ -373,20 +374,25 @@ def _between(near: np.ndarray, far: np.ndarray, shared: np.ndarray, closed: bool
                       renumber[front], renumber[back])
 
 
-def _checked(mesh: VolumeMesh) -> VolumeMesh:
-    """The mesh, no cell of which is turned inside out."""
+def cell_faces(mesh: VolumeMesh) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+    """Middle [m] and area vector [m2] of each of the six faces of all cells, (n, 3) each; the vectors point out of cells that are
+    wound as gmsh's are."""
     corners = mesh.nodes[mesh.hexahedra]
-    centre = corners.mean(axis=1, keepdims=True)
-    volume = np.zeros(len(corners))
     for face in ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)):
         points = corners[:, face]
-        middle = points.mean(axis=1, keepdims=True)
-        areas = 0.5 * np.cross(points - middle, np.roll(points, -1, axis=1) - middle)
-        volume += np.einsum("ijk,ijk->i", areas, np.broadcast_to(middle - centre, points.shape)) / 3
+        middle = points.mean(axis=1)
+        edges = points - middle[:, None]
+        yield middle, 0.5 * np.cross(edges, np.roll(edges, -1, axis=1)).sum(axis=1)
+
+
+def _checked(mesh: VolumeMesh) -> VolumeMesh:
+    """The mesh, no cell of which is turned inside out."""
+    centre = mesh.nodes[mesh.hexahedra].mean(axis=1)
+    volume = sum(np.einsum("ij,ij->i", area, middle - centre) for middle, area in cell_faces(mesh)) / 3
     sign = np.sign(np.median(volume))
     bad = sign * volume <= 0
     if bad.any():
-        x, y, z = centre[int(np.argmax(bad)), 0]
+        x, y, z = centre[int(np.argmax(bad))]
         raise MeshError(f"{bad.sum()} of {len(bad)} cells of the body mesh are folded, the first {x:.3g} m aft of the nose and "
                         f"{np.hypot(y, z):.3g} m from the axis; expected a body without hollows that are narrower than the mesh's "
                         "offset: give its surface as an STL (shape surface)")

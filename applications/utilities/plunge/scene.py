@@ -13,7 +13,7 @@ import numpy as np
 
 from plunge import fluids as fluid_pairs
 from plunge import foamDictionary
-from plunge.checks import Check, ParameterError, checked, flat, not_negative, number, positive, triple, word
+from plunge.checks import Check, ParameterError, checked, flat, not_negative, number, positive, refuse_unknown, triple, word
 from plunge.shapes import Shape, ShapeError, read_shape
 
 FREEDOMS = ("fixed", "prescribed", "axial", "planar", "free")
@@ -40,6 +40,10 @@ _ENTRY: dict[str, Check] = {
 _END: dict[str, Check] = {"duration": positive, "travel": positive, "until": word(*EVENTS)}
 _OTHER: dict[str, Check] = {"transitionReynolds": not_negative,
                            "frames": ("a whole number, 1 to 10000", lambda v: type(v) is int and 1 <= v <= 10000)}
+# Of each pair a scene has one
+_EXCLUSIVE = (("entry.speed", "entry.drop"), ("entry.gap", "entry.depth"), ("duration", "travel"), ("body.mass", "body.density"))
+# What the command line's entries take the place of
+_REPLACED = {**{name: pair for pair in _EXCLUSIVE for name in pair}, "until": ("duration", "travel")}
 _TOP = ("body", "fluids", "entry", *_END, *_OTHER)
 
 # Height of the lowest point above the surface at the start, in body scales, unless given
@@ -264,21 +268,22 @@ def _nested(entries: dict[str, Any], name: str, value: Any) -> None:
     entries[last] = value
 
 
+def _remove(entries: dict[str, Any], name: str) -> None:
+    """Drop an entry by its flat name, where it is there."""
+    *outer, last = name.split(".")
+    for key in outer:
+        entries = entries.get(key, {})
+    if isinstance(entries, dict):
+        entries.pop(last, None)
+
+
 def read_entries(path: Path, overrides: dict[str, Any]) -> dict[str, Any]:
     """The entries of a scene's file; `overrides` (flat names) take the place of the file's."""
     entries = foamDictionary.read(path)
+    for name in overrides:
+        for other in _REPLACED.get(name, ()):
+            _remove(entries, other)
     for name, value in overrides.items():
-        for pair in (("entry.speed", "entry.drop"), ("entry.gap", "entry.depth")):
-            if name in pair and isinstance(entries.get("entry"), dict):
-                for other in pair:
-                    entries["entry"].pop(other.split(".")[1], None)
-        if name in _END:
-            for other in _END:
-                if other != "until":
-                    entries.pop(other, None)
-        if name in ("body.mass", "body.density") and isinstance(entries.get("body"), dict):
-            for other in ("mass", "density"):
-                entries["body"].pop(other, None)
         _nested(entries, name, value)
     return entries
 
@@ -288,9 +293,7 @@ def read(path: Path, overrides: dict[str, Any] = {}) -> Scene:
     file = find(path)
     entries = read_entries(file, overrides)
     source = f"{file} (or the command line)" if overrides else str(file)
-    for key in entries:
-        if key not in _TOP:
-            raise ParameterError(f"{source}: unknown entry '{key}'; expected: {' '.join(_TOP)}")
+    refuse_unknown(entries, source, _TOP)
     body = entries.get("body")
     if not isinstance(body, dict):
         raise ParameterError(f"{source}: entry 'body' is {'missing' if body is None else foamDictionary.format_value(body)}; expected "
@@ -307,23 +310,17 @@ def read(path: Path, overrides: dict[str, Any] = {}) -> Scene:
             {f"body.{k}": v for k, v in _BODY.items()},
             {**{f"body.{k}": v for k, v in _BODY_OPTIONAL.items()}, **{f"entry.{k}": v for k, v in _ENTRY.items()}, **_END, **_OTHER})
 
-    def one_of(*names: str, wanted: str, needed: bool = True) -> None:
-        there = [name for name in names if name in given]
-        if len(there) > 1:
-            raise ParameterError(f"{source}: entries '{there[0]}' and '{there[1]}' are both given; expected one of them")
-        if needed and not there:
+    def one_of(*names: str, wanted: str) -> None:
+        if not any(name in given for name in names):
             raise ParameterError(f"{source}: entry '{names[0]}' is missing; expected {wanted}")
 
+    for one, other in _EXCLUSIVE:
+        if one in given and other in given:
+            raise ParameterError(f"{source}: entries '{one}' and '{other}' are both given; expected one of them")
     one_of("entry.speed", "entry.drop", wanted="the speed at the start [m/s], or drop, the height of a fall to it [m]")
-    one_of("entry.gap", "entry.depth", wanted="", needed=False)
-    one_of("duration", "travel", wanted="", needed=False)
-    if not any(name in given for name in _END):
-        raise ParameterError(f"{source}: entry 'duration' is missing; expected duration [s], travel [body lengths at the initial "
-                             f"speed] or until, one of: {' '.join(EVENTS)}")
+    one_of(*_END, wanted=f"duration [s], travel [body lengths at the initial speed] or until, one of: {' '.join(EVENTS)}")
     if given["body.freedom"] not in ("fixed", "prescribed"):
         one_of("body.mass", "body.density", wanted="mass [kg], or density, that of the body as a whole [kg/m3]")
-    else:
-        one_of("body.mass", "body.density", wanted="", needed=False)
 
     try:
         shape = read_shape(shape_entries, folder_of(file), source)

@@ -13,7 +13,7 @@ import numpy as np
 
 from plunge import boundaryLayer, decisions, foamDictionary
 from plunge import fluids as fluid_pairs
-from plunge.checks import Check, ParameterError, checked, count, number, positive, word
+from plunge.checks import Check, ParameterError, checked, count, number, positive, refuse_unknown, word
 from plunge.decisions import Decision
 from plunge.scene import find, folder_of, read_entries
 
@@ -196,9 +196,7 @@ def read(path: Path, overrides: dict[str, Any] = {}) -> Tank:
     file = find(path)
     entries = read_entries(file, overrides)
     source = f"{file} (or the command line)" if overrides else str(file)
-    for key in entries:
-        if key not in _TOP:
-            raise ParameterError(f"{source}: unknown entry '{key}'; expected: {' '.join(_TOP)}")
+    refuse_unknown(entries, source, _TOP)
     tank = entries["tank"]
     if not isinstance(tank, dict):
         raise ParameterError(f"{source}: entry 'tank' is {foamDictionary.format_value(tank)}; expected {{ size (x y z); open (top); walls noSlip; }}")

@@ -13,7 +13,7 @@ from plunge import boundaryLayer, decisions, snappedMesh
 from plunge.checks import ParameterError
 from plunge.decisions import Decision
 from plunge.meridianMesh import MeshSize, axial_cell_counts, first_layers, with_first_layer
-from plunge.scene import Scene
+from plunge.methods import Asked
 from plunge.shapes import Curve
 
 # Nose radius over the scale of the body that the tiers' noseSpacing is for: NACA-0010
@@ -29,14 +29,9 @@ _CORRECTIONS = {"half": 1, "full": 1, "axisymmetric": 2, "plane": 2}
 
 
 @dataclass(frozen=True)
-class Meshes:
+class Meshes(Asked):
     """What is asked for of the meshes of a scene."""
 
-    scene: Scene
-    tier: dict[str, Any]
-    resolution: float
-    cores: int
-    model: str
     mesh: str
 
     @property

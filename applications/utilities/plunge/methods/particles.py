@@ -11,8 +11,8 @@ import numpy as np
 
 from plunge import decisions
 from plunge.decisions import Decision
+from plunge.methods import Asked
 from plunge.methods.meshes import vector
-from plunge.scene import Scene
 
 # Half width of the particles' liquid about the path and its depth below it, the part of these that absorbs, and the height
 # of the tank above the surface, in body scales.
@@ -32,14 +32,9 @@ _TABLE_ROWS = 450
 
 
 @dataclass(frozen=True)
-class Particles:
+class Particles(Asked):
     """What is asked for of the particles of a scene."""
 
-    scene: Scene
-    tier: dict[str, Any]
-    resolution: float
-    cores: int
-    model: str
     sound_speed: "float | None" = None
 
     @property
@@ -74,7 +69,7 @@ def sections(particles: Particles) -> list[tuple[str, dict[str, Any]]]:
     top = spacings(_FREEBOARD * scale)
 
     translation, rotation = scene.shape.added_mass_coefficients()
-    displaced = share(model) * scene.fluids["liquidDensity"]
+    displaced = decisions.share(model) * scene.fluids["liquidDensity"]
 
     box = {"liquidMin": low, "liquidMax": high, "tankMax": [*high[:2], top]}
     if plane:  # plungeSPH's plane is x and y
@@ -108,11 +103,6 @@ def sections(particles: Particles) -> list[tuple[str, dict[str, Any]]]:
             "tableInterval": scene.duration / _TABLE_ROWS,
         }),
     ]
-
-
-def share(model: str) -> float:
-    """Of the body that a model of particles holds."""
-    return {"half": 0.5, "quarter": 0.25}.get(model, 1.0)
 
 
 def decide(particles: Particles, c0: float, boundary_layer: str, surface_tension: str) -> dict[str, Decision]:

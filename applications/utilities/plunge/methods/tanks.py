@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import shutil
 from itertools import product
-from math import ceil
 from pathlib import Path
 from typing import Any, Iterator
 

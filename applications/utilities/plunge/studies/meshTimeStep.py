@@ -11,7 +11,6 @@ from plunge import meridianMesh
 from plunge.shapes import Revolution
 
 Flow = Callable[[np.ndarray], np.ndarray]  # velocity [m/s] at points [m]
-HEX_FACES = ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))
 
 
 def polar_surface(size: meridianMesh.MeshSize) -> meridianMesh.SurfaceGrid:
@@ -27,14 +26,9 @@ def polar_surface(size: meridianMesh.MeshSize) -> meridianMesh.SurfaceGrid:
 
 def inverse_time_step(mesh: meridianMesh.VolumeMesh, flow: Flow) -> np.ndarray:
     """0.5*sum|phi|/V of each cell [1/s]."""
-    corners = mesh.nodes[mesh.hexahedra]
-    centre = corners.mean(axis=1)
-    through, volume = np.zeros(len(corners)), np.zeros(len(corners))
-    for face in HEX_FACES:
-        points = corners[:, face]
-        middle = points.mean(axis=1)
-        triangles = 0.5 * np.cross(points - middle[:, None], np.roll(points, -1, axis=1) - middle[:, None])
-        area = triangles.sum(axis=1)
+    centre = mesh.nodes[mesh.hexahedra].mean(axis=1)
+    through, volume = np.zeros(len(centre)), np.zeros(len(centre))
+    for middle, area in meridianMesh.cell_faces(mesh):
         through += np.abs(np.einsum("ij,ij->i", flow(middle), area))
         volume += np.einsum("ij,ij->i", area, middle - centre) / 3
     return 0.5 * through / np.abs(volume)
