@@ -362,15 +362,21 @@ def decision(found: dict, what: str) -> str:
 SLOW = {"entry__speed": 0.01}    # the tier fast resolves its laminar layer
 MEDIUM = {"entry__speed": 0.5}   # and this one's not
 
+VERTICAL = {"entry__angle": 90, "body__freedom": "axial"}
+
 
 @pytest.mark.parametrize("overrides, layer, reason", [
     ({}, "frictionLine", "Re = 1.64e+07, above transition at 5e+05"),
-    ({"transitionReynolds": 2e7}, "frictionLine", "Re = 1.64e+07, not above transition at 2e+07, but the mesh's first layer is 0.00288 m "
+    ({"transitionReynolds": 2e7}, "frictionLine", "Re = 1.64e+07, transition at 2e+07, but the mesh's first layer is 0.00288 m "
                                                   "and a laminar layer needs 7.86e-05 m"),
-    (MEDIUM, "frictionLine", "Re = 3.27e+05, not above transition at 5e+05, but the mesh's first layer"),
-    (SLOW, "laminar", "Re = 6.55e+03, not above transition at 5e+05, and the mesh resolves the layer"),
+    (MEDIUM, "frictionLine", "Re = 3.27e+05, transition at 5e+05, but the mesh's first layer"),
+    (SLOW, "laminar", "Re = 6.55e+03, transition at 5e+05: the mesh resolves the layer"),
     ({**SLOW, "transitionReynolds": 0}, "frictionLine", "Re = 6.55e+03, above transition at 0"),
     ({**SLOW, "resolution": 0.5}, "frictionLine", "but the mesh's first layer"),
+    # A mesh in two dimensions can pay for thin layers
+    ({**MEDIUM, **VERTICAL}, "laminar", "Re = 3.27e+05, transition at 5e+05: the mesh resolves the layer"),
+    ({**MEDIUM, **VERTICAL, "travel": 0.26}, "laminar", "Re = 8.19e+04 of the length that is wetted"),
+    (VERTICAL, "frictionLine", "Re = 1.64e+07, above transition at 5e+05"),
     ({**SLOW, "boundaryLayer": "laminar"}, "laminar", "as asked; Re = 6.55e+03"),
     ({"boundaryLayer": "none"}, "none", "as asked; Re = 1.64e+07"),
     ({"boundaryLayer": "frictionLine"}, "frictionLine", "as asked"),

@@ -119,6 +119,17 @@ class Scene:
         return self.fluids["liquidDensity"] * self.reference_speed * self.shape.length / self.fluids["liquidViscosity"]
 
     @property
+    def wetted_length(self) -> float:
+        """Of the body, as far as it dips in, if nothing slowed it [m]"""
+        depth = self.shape.length if self.immersed else -float(self.end[2])
+        return min(depth, self.shape.length) if depth > 0 else self.shape.length
+
+    @property
+    def wetted_reynolds(self) -> float:
+        """Of the length that is wetted."""
+        return self.reynolds * self.wetted_length / self.shape.length
+
+    @property
     def weber(self) -> float:
         return self.fluids["liquidDensity"] * self.reference_speed**2 * self.shape.length / self.fluids["surfaceTension"]
 

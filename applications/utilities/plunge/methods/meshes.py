@@ -185,8 +185,10 @@ def sections(meshes: Meshes, decided: dict[str, Decision]) -> list[tuple[str, di
     turbulence, wanted = [], None
     if decided["boundary_layer"].choice == "wallFunction":
         wanted = boundaryLayer.wall_function_layer(scene.reynolds, length)
+    elif decided["boundary_layer"].choice == "laminar":
+        wanted = boundaryLayer.resolving_layer(scene.wetted_reynolds, scene.wetted_length)
     body = body_mesh(meshes, wanted)
-    if wanted is not None:
+    if decided["boundary_layer"].choice == "wallFunction":
         low, high = boundaryLayer.WALL_DISTANCES
         y_plus = boundaryLayer.WALL_DISTANCE * body.first_layer / wanted
         if not low <= y_plus <= high:
@@ -226,7 +228,8 @@ def decide(meshes: Meshes, boundary_layer: str, surface_tension: str) -> dict[st
     """What the flow holds."""
     scene = meshes.scene
     return {
-        "boundary_layer": decisions.boundary_layer(scene, "meshes", boundary_layer, body_mesh(meshes, None).first_layer),
+        "boundary_layer": decisions.boundary_layer(scene, "meshes", boundary_layer, body_mesh(meshes, None).first_layer,
+                                                   meshes.model in ("axisymmetric", "plane")),
         "surface_tension": decisions.surface_tension(scene, "meshes", surface_tension),
         "compressibility": decisions.compressibility(scene, "meshes"),
     }
