@@ -56,3 +56,55 @@ def test_ranks(tmp_path: Path) -> None:
     solve(run, "plungeFoam", ranks=2)
     parallel = np.genfromtxt(run / "postProcessing/trajectory/0/trajectory.csv", delimiter=",", names=True)
     np.testing.assert_allclose(parallel["vy_m_s"], serial["vy_m_s"], rtol=1e-6)
+
+
+def constrained(text: str) -> dict:
+    """Changes of the case that give these constraints beside those in its plane."""
+    return {"constant/dynamicMeshDict": f"sixDoFRigidBodyMotionCoeffs {{ constraints {{ {text} }} }}"}
+
+
+def newton(track: np.ndarray, mass: float, gravity: float) -> np.ndarray:
+    """Difference of the force on a body and of m a along y, over the larger, at each step."""
+    force = track["Fpy_N"] + track["Fvy_N"] - mass*gravity
+    return (abs(mass*track["ay_m_s2"] - force)/np.maximum(abs(force), abs(mass*track["ay_m_s2"])))[1:]
+
+
+@pytest.mark.parametrize("ratio", (0.0015, 0.01, 0.8, 10.0))
+def test_newton(ratio: float, tmp_path: Path) -> None:
+    """Force and change of momentum agree to 1 % at each step."""
+    track = release(tmp_path / "run", "plungeFoam", ratio, (8, 16), 0.2)
+    assert newton(track, ratio*math.pi*planeBody.RADIUS**2, 1).max() < 0.01
+
+
+@pytest.mark.parametrize("ratio", (0.2, 5.0))
+def test_hinge(ratio: float, tmp_path: Path) -> None:
+    """An ellipse hinged at its end turns about the hinge: Lamb's inertia about it, arts. 71 and 124."""
+    a, b, run = planeBody.A, planeBody.B, tmp_path / "run"
+    area = math.pi*a*b
+    mass, inertia = ratio*area, ratio*area*(a*a + b*b)/4
+    planeBody.solve(run, "plungeFoam", (a, b), (12, 32), constrained(
+        f"hinge {{ sixDoFRigidBodyMotionConstraint point; centreOfRotation ({-a} 0 0.5); }}"), mass=mass, momentOfInertia=f"(1 1 {inertia})",
+        velocity="(0 0 0)", angularMomentum="(0 0 0)", gravity="(0 -1 0)", end=0.1)
+    of = planeBody.track(run)
+    exact = (1 - ratio)*area*a/(inertia + mass*a*a + math.pi*(a*a - b*b)**2/8 + math.pi*a*a*a*a)
+    # The mesh's far boundary and its cells
+    assert of["omega3_rad_s"][1:] == pytest.approx(exact*of["time_s"][1:], rel=0.03)
+    assert (of["x_m"] + a)**2 + of["y_m"]**2 == pytest.approx(a*a)
+
+
+@pytest.mark.parametrize("form", ("ascii", "binary"))
+def test_restartOnALine(form: str, tmp_path: Path) -> None:
+    """With all digits a restart repeats the run, also of a body that moves along a line, and from binary files."""
+    changes = {"constant/dynamicMeshDict": "sixDoFRigidBodyMotionCoeffs { constraints { "
+               "plane { sixDoFRigidBodyMotionConstraint line; direction (0.6 0.8 0); } axis { sixDoFRigidBodyMotionConstraint orientation; } } }",
+               "system/controlDict": f"writeFormat {form}; writePrecision 17; writeInterval 0.05;"}
+    whole = release(tmp_path / "whole", "plungeFoam", 0.1, (8, 16), 0.15, changes)
+    run = copy(tmp_path / "whole", "parts")
+    for time in ("0.1", "0.15"):
+        shutil.rmtree(run / time)
+    control = run / "system/controlDict"
+    control.write_text(control.read_text().replace("startTime;\n", "latestTime;\n", 1))
+    foam("plungeFoam", case=run)
+    again = np.genfromtxt(run / "postProcessing/trajectory/0.05/trajectory.csv", delimiter=",", names=True)
+    for column in ("x_m", "y_m", "vx_m_s", "vy_m_s"):
+        np.testing.assert_array_equal(again[column][1:], whole[column][-len(again) + 1:])

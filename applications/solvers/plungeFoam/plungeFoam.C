@@ -49,25 +49,29 @@ int main(int argc, char *argv[])
         ++runTime;
         Info<< "Time = " << runTime.timeName() << nl << endl;
 
-        while (flow.pimple().loop())
+        do
         {
-            flow.moveMesh();
-            flow.advectInterface();
-
-            if (flow.pimple().frozenFlow())
+            while (flow.pimple().loop())
             {
-                continue;
+                flow.moveMesh();
+                flow.advectInterface();
+
+                if (flow.pimple().frozenFlow())
+                {
+                    continue;
+                }
+
+                flow.predictMomentum();
+
+                while (flow.pimple().correct())
+                {
+                    flow.correctPressure();
+                }
+
+                flow.correctTurbulence();
             }
-
-            flow.predictMomentum();
-
-            while (flow.pimple().correct())
-            {
-                flow.correctPressure();
-            }
-
-            flow.correctTurbulence();
         }
+        while (flow.repeatStep());
 
         {
             addProfiling(output, "output");
@@ -83,6 +87,7 @@ int main(int argc, char *argv[])
         runTime.timeIndex() - runTime.startTimeIndex(),
         mesh.globalData().nTotalCells()
     );
+    flow.reportBalance(Info);
     Info<< "End\n" << endl;
 
     return 0;

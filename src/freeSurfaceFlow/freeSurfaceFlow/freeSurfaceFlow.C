@@ -156,7 +156,12 @@ Foam::freeSurfaceFlow::freeSurfaceFlow(dynamicFvMesh& mesh)
     correctorTerms_(),
     rAU_(),
     cumulativeContinuityError_(0),
-    longestDeltaT_(0)
+    longestDeltaT_(0),
+    repeats_(body_ && body_->integrator().getOrDefault<word>("type", word::null) == "addedMass"),
+    nRepeats_(0),
+    nUnbalanced_(0),
+    worstBalance_(0),
+    worstTime_(0)
 {
     if (scene_.slips())
     {

@@ -14,9 +14,25 @@ void Foam::freeSurfaceFlow::moveMesh()
         return;
     }
 
-    if (addedMass_ && pimple_.firstIter() && addedMass_->isDue())
+    const bool isNew = pimple_.firstIter() && nRepeats_ == 0;
+    if (addedMass_ && isNew && addedMass_->isDue())
     {
         addedMass_->solve(rho_, p_rgh_, potentialTypes(), pimple_.nNonOrthCorr());
+    }
+    if (body_ && isNew)
+    {
+        body_->startStep();
+    }
+    if (repeats_)
+    {
+        // What a step that is solved again starts from
+        phi_.oldTime();
+        U_.oldTime();
+        mixture_.alpha1().oldTime();
+        if (Uf_)
+        {
+            Uf_().oldTime();
+        }
     }
 
     // Of the first step of a run as of every other

@@ -4,6 +4,7 @@
 #include "bodyMotion.H"
 #include "dynamicOversetFvMesh.H"
 #include "inputChecks.H"
+#include "motionSolver.H"
 #include "staticFvMesh.H"
 #include "Switch.H"
 #include "turbulenceModel.H"
@@ -48,6 +49,20 @@ word motionOf(const fvMesh& mesh)
         return "overset";
     }
     return isA<staticFvMesh>(mesh) || !isA<dynamicFvMesh>(mesh) ? "none" : "motion";
+}
+
+
+//- What else than OpenFOAM's sixDoFRigidBodyMotion moves a body; empty without one
+word otherBody(const fvMesh& mesh)
+{
+    for (const motionSolver* solver : mesh.lookupClass<motionSolver>())
+    {
+        if (solver->type().find("rigidBodyMotion") == 0)
+        {
+            return solver->type();
+        }
+    }
+    return word::null;
 }
 
 
@@ -107,6 +122,7 @@ Foam::scene::scene(const fvMesh& mesh)
         )
     ),
     hasBody_(bodyMotion::found(mesh)),
+    otherBody_(otherBody(mesh)),
     meshMotion_(motionOf(mesh)),
     gravity_(dict_.lookupOrDefault<Switch>("gravity", true)),
     surfaceTension_(dict_.lookupOrDefault<Switch>("surfaceTension", true)),
@@ -204,7 +220,7 @@ void Foam::scene::print(Ostream& os) const
 {
     auto onOff = [](const bool b) { return b ? "on" : "off"; };
 
-    os  << "body " << (hasBody_ ? "sixDoF" : "none")
+    os  << "body " << (hasBody_ ? "sixDoF" : otherBody_.empty() ? "none" : (otherBody_ + ", whose loads are not reported").c_str())
         << ", mesh motion " << meshMotion_
         << ", interface " << interface_
         << ", gravity " << onOff(gravity_)

@@ -19,7 +19,7 @@ Foam::tmp<Foam::vectorField> Foam::addedMassTensor::unitAcceleration
     vector axis(Zero);
     axis[k % 3] = 1;
     axis = body_.orientation() & axis;
-    return k < 3 ? tmp<vectorField>::New(x.size(), axis) : axis ^ (x - body_.centreOfMass());
+    return k < 3 ? tmp<vectorField>::New(x.size(), axis) : axis ^ (x - body_.centreOfRotation());
 }
 
 

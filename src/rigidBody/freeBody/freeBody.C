@@ -116,7 +116,8 @@ Foam::freeBody::freeBody
     ),
     acceleration_(Zero),
     angularAcceleration_(Zero),
-    lastDeltaT_(0)
+    lastDeltaT_(0),
+    isImplicit_(hasLaggingRestraints(coefficients))
 {
     // The first call in a process is not relaxed: use it up, without a step
     const sixDoFRigidBodyMotionState start(motion_.state());
@@ -139,6 +140,29 @@ Foam::vector Foam::freeBody::velocity() const
 }
 
 
+void Foam::freeBody::iterate(const std::function<void(bool)>& update, const scalar deltaT)
+{
+    const scalar enough = 1e-13;
+    for (label i = 0; i < 100; ++i)
+    {
+        const sixDoFRigidBodyMotionState last(motion_.state());
+        update(false);
+        const sixDoFRigidBodyMotionState& now = motion_.state();
+        if
+        (
+            mag(now.v() - last.v()) <= enough*(mag(now.v()) + deltaT*mag(now.a()))
+         && mag(now.pi() - last.pi()) <= enough*(mag(now.pi()) + deltaT*mag(now.tau()))
+        )
+        {
+            return;
+        }
+    }
+    FatalErrorInFunction
+        << "The restraints of a body are too stiff for a time step of " << deltaT << " s: the motion over it does not converge." << nl
+        << "Expected: a shorter time step, or solver addedMass or symplectic." << exit(FatalError);
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::freeBody::advance
@@ -154,14 +178,22 @@ void Foam::freeBody::advance
     // OpenFOAM takes moments about the centre of rotation
     const vector total(force + motion_.mass()*g_.value());
     motion_.newTime();
-    motion_.update
-    (
-        true,
-        total,
-        moment + (motion_.momentArm() ^ total),
-        deltaT,
-        lastDeltaT_ > 0 ? lastDeltaT_ : deltaT
-    );
+    const auto update = [&](const bool isFirst)
+    {
+        motion_.update
+        (
+            isFirst,
+            total,
+            moment + (motion_.momentArm() ^ total),
+            deltaT,
+            lastDeltaT_ > 0 ? lastDeltaT_ : deltaT
+        );
+    };
+    update(true);
+    if (isImplicit_)
+    {
+        iterate(update, deltaT);
+    }
 
     acceleration_ = (velocity() - lastVelocity)/deltaT;
     angularAcceleration_ = (motion_.omega() - lastOmega)/deltaT;
