@@ -70,6 +70,13 @@ dictionary checked(const dictionary& coefficients)
 
     dictionary result(coefficients);
     result.remove("report");
+    if (result.isDict("solver") && result.subDict("solver").getOrDefault<word>("type", "") == "addedMass")
+    {
+        // The flow's own coupling has the added mass: an estimate would only delay the body's acceleration
+        dictionary& solver = result.subDict("solver");
+        solver.set("addedMass", vector(Zero));
+        solver.set("addedInertia", vector(Zero));
+    }
     return result;
 }
 
@@ -116,11 +123,31 @@ Foam::freeBody::freeBody
     ),
     acceleration_(Zero),
     angularAcceleration_(Zero),
-    lastDeltaT_(0)
+    lastDeltaT_(0),
+    freeTranslation_(Zero),
+    freeRotation_(Zero)
 {
     // The first call in a process is not relaxed: use it up, without a step
     const sixDoFRigidBodyMotionState start(motion_.state());
     motion_.update(true, Zero, Zero, 0, 0);
+
+    // Which motions constraints leave, OpenFOAM tells nobody: what is left of unit ones
+    for (direction d = 0; d < 3; ++d)
+    {
+        vector unit(Zero);
+        unit[d] = 1;
+        sixDoFRigidBodyMotionState& s = motionState();
+        s = start;
+        s.v() = s.pi() = unit;
+        s.a() = s.tau() = Zero;
+        motion_.newTime();
+        motion_.update(true, Zero, Zero, 0, 0);
+        for (direction i = 0; i < 3; ++i)
+        {
+            freeTranslation_(i, d) = s.v()[i];
+            freeRotation_(i, d) = s.pi()[i];
+        }
+    }
     motionState() = start;
 }
 
@@ -166,6 +193,28 @@ void Foam::freeBody::advance
     acceleration_ = (velocity() - lastVelocity)/deltaT;
     angularAcceleration_ = (motion_.omega() - lastOmega)/deltaT;
     lastDeltaT_ = deltaT;
+}
+
+
+Foam::bodyAcceleration Foam::freeBody::accelerationUnder(const vector& force, const vector& moment)
+{
+    const sixDoFRigidBodyMotionState now(motion_.state());
+    const vector omega(motion_.omega());
+    const vector total(force + motion_.mass()*g_.value());
+    motion_.newTime();
+    motion_.update(true, total, moment + (motion_.momentArm() ^ total), 0, 0);
+    const vector linear(freeTranslation_ & motion_.state().a());
+    const vector torque(freeRotation_ & motion_.state().tau());
+    motionState() = now;
+
+    // In body axes I domega/dt = tau - omega x (I omega), of which constraints leave a part
+    const tensor& Q = motion_.orientation();
+    const diagTensor& I = motion_.momentOfInertia();
+    const vector spin(Q.T() & omega);
+    const vector change(torque - (freeRotation_ & (spin ^ (I & spin))));
+    const vector angular(Q & vector(change.x()/I.xx(), change.y()/I.yy(), change.z()/I.zz()));
+    const vector arm(motion_.centreOfMass() - motion_.centreOfRotation());
+    return {linear + (angular ^ arm) + (omega ^ (omega ^ arm)), angular};
 }
 
 

@@ -123,11 +123,22 @@ void Foam::smoothedParticles::particleBodies<dim>::advance(particleFlow<dim>& fl
 
 
 template<int dim>
+Foam::bodyAcceleration Foam::smoothedParticles::particleBodies<dim>::respond(const label wall, const bodyLoads& loads)
+{
+    return bodies_[walls_.find(wall)].accelerationUnder(loads.pressure + loads.viscous, loads.moment);
+}
+
+
+template<int dim>
 void Foam::smoothedParticles::particleBodies<dim>::write(const particleFlow<dim>& flow)
 {
     forAll(bodies_, i)
     {
-        const bodyState now(bodies_[i].state());
+        // The acceleration of the loads beside it, not the mean of the last step
+        bodyState now(bodies_[i].state());
+        const bodyAcceleration a(respond(walls_[i], flow.wallLoads(walls_[i])));
+        now.acceleration = a.linear;
+        now.angularAcceleration = a.angular;
         trajectories_[i].write
         (
             time_.value(),

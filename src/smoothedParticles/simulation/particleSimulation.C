@@ -115,7 +115,11 @@ void Foam::smoothedParticles::particleSimulation<dim>::build(const particleState
     }
     try
     {
-        flow_ = newParticleFlow<dim>(state, model_, nThreads_, bodies_.motions());
+        flow_ = newParticleFlow<dim>
+        (
+            state, model_, nThreads_, bodies_.motions(),
+            [this](const label wall, const bodyLoads& loads){ return bodies_.respond(wall, loads); }
+        );
     }
     catch (const std::invalid_argument& e)
     {
