@@ -54,7 +54,7 @@ Foam::surfaceParts::surfaceParts(const triSurface& surface)
 void Foam::surfaceParts::findParts()
 {
     const List<triSurface::FaceType>& faces = surface_.localFaces();
-    List<signed char> sense(surface_.size(), 1);
+    labelList sense(surface_.size(), 1);
     DynamicList<label> front;
     forAll(faces, first)
     {
@@ -77,7 +77,7 @@ void Foam::surfaceParts::findParts()
                         continue;
                     }
                     // Two neighbours pass their edge in opposite directions
-                    const signed char expected = -sense[i]*faces[i].edgeDirection(side)*faces[j].edgeDirection(side);
+                    const label expected = -sense[i]*faces[i].edgeDirection(side)*faces[j].edgeDirection(side);
                     if (part_[j] < 0)
                     {
                         part_[j] = part_[i];

@@ -28,22 +28,28 @@ void Foam::smoothedParticles::flowIn<Real, dim>::sumContact()
     const penaltyContact& contact = model_.contact;
     const std::int64_t n = x_.size();
     contactEnergy_ = 0;
+    double deepest = 0;
+    long nInside = 0;
     for (std::size_t w = 0; w < contact.walls.size(); ++w)
     {
         const contactSurface& surface = contact.walls[w];
         const wallPose pose(poseOf(w));
 
-        #pragma omp parallel for num_threads(nThreads_) schedule(static, turn)
+        #pragma omp parallel for num_threads(nThreads_) schedule(static, turn) reduction(max: deepest) reduction(+: nInside)
         for (std::int64_t k = 0; k < n; ++k)
         {
             push_[k].fill(0);
             spring_[k] = 0;
             shape::touching t;
-            if
-            (
-                surface.touch(pose.home + (pose.back & (toVector(x_[k]) - pose.now)), t)
-             && t.depth <= contact.maxDepth
-            )
+            if (!surface.touch(pose.home + (pose.back & (toVector(x_[k]) - pose.now)), t))
+            {
+                continue;
+            }
+            // The surface is felt at half a spacing
+            const double behind = t.depth - 0.5*model_.spacing;
+            deepest = std::max(deepest, behind);
+            nInside += behind > 0;
+            if (t.depth <= contact.maxDepth)
             {
                 const double force = contact.k(mass_[k], soundStep(), t.area)*t.depth;
                 const Foam::vector push(force*(pose.back.T() & t.normal));
@@ -75,6 +81,7 @@ void Foam::smoothedParticles::flowIn<Real, dim>::sumContact()
             found->second.loads = loads;
         }
     }
+    inWalls_ = {deepest, nInside};
 }
 
 
