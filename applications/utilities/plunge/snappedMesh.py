@@ -8,6 +8,7 @@ In a run directory that holds a copy of these dictionaries (body/system) and sys
     snappyHexMesh -case body -dict system/refineDict -overwrite
     surfaceFeatureExtract -case body
     snappyHexMesh -case body -overwrite
+    surfaceMeshExtract -case body -constant -patches '(wall)' meshed.stl; plungeBodyMesh -check
     transformPoints -case body -translate snappedTranslation -rollPitchYaw snappedRollPitchYaw
     cp -r body/constant/polyMesh constant
 
@@ -24,7 +25,7 @@ from typing import Any
 import numpy as np
 
 from plunge.stl import write_stl
-from plunge.shapes.surface import Surface
+from plunge.shapes.surface import Surface, SurfaceError, read_triangles
 
 # Of a mesh without a background: how far it reaches, in body scales, and at least in largest diameters (a sphere's added mass
 # is 0.3 % less than in unbounded fluid).
@@ -40,6 +41,8 @@ _FIRST, _LAST, _EXPANSION = 0.3, 0.5, 1.3
 # Where edges have finer cells than the wall: faces there over the wall's, and cells on each of them beside the layers, from
 # slender bodies with and without wings.
 _EDGE_FACES, _EDGE_CELLS = 2.9, 4
+# Part of a body's volume or area that its mesh may lose
+_MOST_LOST = 0.05
 # An edge is sharp from this angle between its triangles on, as in surfaceFeatureExtractDict; a tip where a cone's half angle is
 # below 70 deg: its angles add up to sin(70 deg) of a full turn. Length of the line that marks it, over the body's.
 _SHARP, _TIP, _TIP_LINE = radians(30), 2 * pi * (1 - sin(radians(70))), 1e-3
@@ -120,6 +123,23 @@ def sections(shape: Surface, tier: dict[str, Any], scale: float, resolution: flo
         "snappedReach": float(max(np.hypot(y, z) for _, y, z in box)),
         "snappedEstimatedCells": round(float(count), -2),
     })]
+
+
+def check_meshed(shape: Surface, run: Path, full: bool, spacing: float) -> str:
+    """What of the body's volume and area the mesh has, whose wall surfaceMeshExtract has written to <run>/body/meshed.stl; an
+    error where more than 5 % of either is lost. `spacing` is that of the wall's cells [m]."""
+    points, triangles = read_triangles(run / "body/meshed.stl")
+    a, b, c = np.moveaxis(points[triangles], 1, 0)
+    normal = np.cross(b - a, c - a) / 2
+    share = 1.0 if full else 0.5
+    # By the flux of (0, y, 0), none of which passes through the plane of symmetry
+    volume = abs(float(normal[:, 1] @ (a + b + c)[:, 1] / 3)) / (share * shape.volume)
+    area = float(np.linalg.norm(normal, axis=1).sum()) / (share * shape.wetted_area)
+    said = f"the mesh has {100 * volume:.4g} % of the body's volume and {100 * area:.4g} % of its area"
+    if min(volume, area) < 1 - _MOST_LOST:
+        raise SurfaceError(f"{shape.file}: {said}: parts of it are too thin for cells of {spacing:.3g} m at the wall; expected at least "
+                           f"{100 * (1 - _MOST_LOST):g} %: a higher -resolution or -tier, or thicker parts")
+    return said
 
 
 def place(forward: np.ndarray, dorsal: np.ndarray, nose: np.ndarray) -> dict[str, list[float]]:

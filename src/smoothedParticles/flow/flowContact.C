@@ -23,11 +23,28 @@ Foam::smoothedParticles::flowIn<Real, dim>::poseOf(std::int32_t wall) const
 
 
 template<class Real, int dim>
+double Foam::smoothedParticles::flowIn<Real, dim>::inverseMass(std::int32_t wall) const
+{
+    double largest = 0;
+    for (int d = 0; response_ && d < dim; ++d)
+    {
+        Foam::vector unit(Foam::vector::zero);
+        unit[d] = 1;
+        const bodyAcceleration pushed(response_(wall, {unit, Foam::vector::zero, Foam::vector::zero}));
+        const bodyAcceleration free(response_(wall, {Foam::vector::zero, Foam::vector::zero, Foam::vector::zero}));
+        largest = std::max(largest, mag(pushed.linear - free.linear));
+    }
+    return largest;
+}
+
+
+template<class Real, int dim>
 void Foam::smoothedParticles::flowIn<Real, dim>::sumContact()
 {
     const penaltyContact& contact = model_.contact;
     const std::int64_t n = x_.size();
     contactEnergy_ = 0;
+    bodyFrequency2_ = 0;
     double deepest = 0;
     long nInside = 0;
     for (std::size_t w = 0; w < contact.walls.size(); ++w)
@@ -63,6 +80,7 @@ void Foam::smoothedParticles::flowIn<Real, dim>::sumContact()
         }
 
         // In the order of the particles, whatever the number of threads
+        double stiffness = 0;
         bodyLoads& loads = contactLoads_[w];
         loads = {Foam::vector::zero, Foam::vector::zero, Foam::vector::zero};
         for (std::int64_t k = 0; k < n; ++k)
@@ -71,6 +89,7 @@ void Foam::smoothedParticles::flowIn<Real, dim>::sumContact()
             {
                 const Foam::vector push(toVector(push_[k]));
                 contactEnergy_ += spring_[k];
+                stiffness += 0.5*magSqr(push)/spring_[k];
                 loads.pressure -= push;
                 loads.moment -= (toVector(x_[k]) - pose.now) ^ push;
             }
@@ -79,6 +98,7 @@ void Foam::smoothedParticles::flowIn<Real, dim>::sumContact()
         if (found != bodies_.end())
         {
             found->second.loads = loads;
+            bodyFrequency2_ = std::max(bodyFrequency2_, stiffness*inverseMass(w));
         }
     }
     inWalls_ = {deepest, nInside};

@@ -311,7 +311,7 @@ double Foam::smoothedParticles::flowIn<Real, dim>::stableTimeStep() const
     if (contactFrequency2_ > 0)
     {
         // Half of what is stable: 2 over the frequency
-        step = std::min(step, 1/std::sqrt(contactFrequency2_));
+        step = std::min(step, 1/std::sqrt(contactFrequency2_ + bodyFrequency2_));
     }
     return step;
 }

@@ -93,7 +93,8 @@ def _distance(points: np.ndarray, triangles: np.ndarray, probes: np.ndarray) -> 
     return vtk_to_numpy(found).copy()
 
 
-def _read(path: Path) -> tuple[np.ndarray, np.ndarray]:
+def read_triangles(path: Path) -> tuple[np.ndarray, np.ndarray]:
+    """Points and triangles of an STL or OBJ file, as they are there."""
     from vtkmodules import vtkIOGeometry
     from vtkmodules.vtkCommonCore import vtkObject
     from vtkmodules.vtkFiltersCore import vtkTriangleFilter
@@ -229,7 +230,9 @@ def _united(points: np.ndarray, triangles: np.ndarray, part: np.ndarray, number:
     dropped = united = 0
     while parts:
         inside = [_distance(*whole, p[0]) < 0 for p in parts]
-        met = [k for k, (p, i) in enumerate(zip(parts, inside)) if i.any() or (_distance(*p, whole[0]) < 0).any()]
+        # Points inside, or triangles that cross though no point of one part is inside the other: a wing through a hull
+        met = [k for k, (p, i) in enumerate(zip(parts, inside)) if i.any() or (_distance(*p, whole[0]) < 0).any()
+               or len(_crossing(np.vstack((whole[0], p[0])), np.vstack((whole[1], p[1] + len(whole[0])))))]
         if not met:
             raise SurfaceError(f"{source}: has {len(parts) + 1} closed parts that do not touch, or in their faces only; expected one body: "
                                f"unite them in the program that made the file. The smallest one has {named[-1]}")
@@ -306,7 +309,7 @@ class Surface(Shape):
         if not (np.isfinite(scale) and scale > 0):
             raise SurfaceError(f"{source}: entry 'scale' is {scale}; expected metres per unit of the file, above 0")
 
-        points, triangles, number = _merged(*_read(self.file))
+        points, triangles, number = _merged(*read_triangles(self.file))
         if not len(triangles):
             raise SurfaceError(f"{source}: all its triangles are points or lines, or lie on each other in pairs; expected the surface of "
                                "a body")
