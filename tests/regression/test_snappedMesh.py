@@ -52,7 +52,7 @@ def meshed(run: Path, model: str, mesh: str, forward: np.ndarray, dorsal: np.nda
     (run / "system/controlDict").write_text(head + "libs (overset); deltaT 1; endTime 1; writeInterval 1; writeFormat ascii; writePrecision 12;\n")
     (run / "system/fvSchemes").write_text(head + "divSchemes {} gradSchemes {} laplacianSchemes {}\n")
     (run / "system/fvSolution").write_text(head)
-    snappedMesh.write_surface(shape, run)
+    snappedMesh.write_surface(shape, run, sections[0][1]["snappedWallSpacing"])
     placed = {key: foamDictionary.format_value(value) for key, value in snappedMesh.place(forward, dorsal, NOSE).items()}
     foam("blockMesh", case=run / "body")
     foam("snappyHexMesh", "-dict", "system/refineDict", "-overwrite", case=run / "body")

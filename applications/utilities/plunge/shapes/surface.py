@@ -58,7 +58,8 @@ def _volume(points: np.ndarray, triangles: np.ndarray) -> float:
     return float(np.einsum("ij,ij->", a, np.cross(b, c)) / 6)
 
 
-def _polydata(points: np.ndarray, triangles: np.ndarray) -> Any:
+def polydata(points: np.ndarray, triangles: np.ndarray) -> Any:
+    """Triangles as VTK has them."""
     from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
     from vtkmodules.vtkCommonCore import vtkPoints
     from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
@@ -88,7 +89,7 @@ def _distance(points: np.ndarray, triangles: np.ndarray, probes: np.ndarray) -> 
     from vtkmodules.vtkFiltersCore import vtkImplicitPolyDataDistance
 
     function, found = vtkImplicitPolyDataDistance(), vtkDoubleArray()
-    function.SetInput(_polydata(points, triangles))
+    function.SetInput(polydata(points, triangles))
     function.FunctionValue(numpy_to_vtk(np.ascontiguousarray(probes, dtype=float), deep=True), found)
     return vtk_to_numpy(found).copy()
 
@@ -135,7 +136,7 @@ def _crossing(points: np.ndarray, triangles: np.ndarray) -> np.ndarray:
     from vtkmodules.vtkFiltersGeneral import vtkOBBTree
 
     tree, hits, found = vtkOBBTree(), vtkPoints(), vtkIdList()
-    tree.SetDataSet(_polydata(points, triangles))
+    tree.SetDataSet(polydata(points, triangles))
     tree.SetTolerance(1e-12)    # with 0 it finds nothing
     tree.BuildLocator()
     edges, number, _ = _edges(triangles)
@@ -201,7 +202,7 @@ def _oriented(points: np.ndarray, triangles: np.ndarray) -> tuple[np.ndarray, np
     pairs = np.argsort(number, kind="stable").reshape(-1, 2) // 3
     part = _parts(pairs, len(triangles))
     consistent = vtkPolyDataNormals()
-    consistent.SetInputData(_polydata(points, triangles))
+    consistent.SetInputData(polydata(points, triangles))
     consistent.ConsistencyOn()
     consistent.SplittingOff()
     consistent.ComputePointNormalsOff()
@@ -242,8 +243,8 @@ def _united(points: np.ndarray, triangles: np.ndarray, part: np.ndarray, number:
             continue
         union = vtkLoopBooleanPolyDataFilter()
         union.SetOperationToUnion()
-        union.SetInputData(0, _polydata(*whole))
-        union.SetInputData(1, _polydata(*other))
+        union.SetInputData(0, polydata(*whole))
+        union.SetInputData(1, polydata(*other))
         loud = vtkObject.GetGlobalWarningDisplay()
         vtkObject.GlobalWarningDisplayOff()
         union.Update()
