@@ -81,6 +81,20 @@ dictionary checked(const dictionary& coefficients)
 }
 
 
+//- Share of the acceleration at the end of a step in the change of the velocity, of integrators that want it
+scalar endWeight(const dictionary& coefficients)
+{
+    const dictionary solver(coefficients.subOrEmptyDict("solver"));
+    const word type(solver.getOrDefault<word>("type", ""));
+    const scalar share =
+        type == "symplectic" ? 0.5
+      : type == "Newmark" ? solver.getOrDefault<scalar>("gamma", 0.5)
+      : type == "CrankNicolson" ? solver.getOrDefault<scalar>("aoc", 0.5)
+      : 0;
+    return share*coefficients.getOrDefault<scalar>("accelerationDamping", 1);
+}
+
+
 //- f(number) for each number of a state, in the order of a file
 template<class State, class Function>
 void forNumbers(State& s, const Function& f)
@@ -124,6 +138,7 @@ Foam::freeBody::freeBody
     acceleration_(Zero),
     angularAcceleration_(Zero),
     lastDeltaT_(0),
+    endWeight_(endWeight(coefficients)),
     freeTranslation_(Zero),
     freeRotation_(Zero)
 {
@@ -168,6 +183,25 @@ Foam::vector Foam::freeBody::velocity() const
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+void Foam::freeBody::endLastStep(const vector& total, const vector& about)
+{
+    if (!(endWeight_ > 0))
+    {
+        return;
+    }
+    const sixDoFRigidBodyMotionState last(motion_.state());
+    motion_.newTime();
+    motion_.update(true, total, about, 0, 0);
+    const vector a(motion_.state().a()), tau(motion_.state().tau());
+    sixDoFRigidBodyMotionState& s = motionState();
+    s = last;
+    s.v() += endWeight_*lastDeltaT_*(freeTranslation_ & (a - s.a()));
+    s.pi() += endWeight_*lastDeltaT_*(freeRotation_ & (tau - s.tau()));
+    s.a() = a;
+    s.tau() = tau;
+}
+
+
 void Foam::freeBody::advance
 (
     const vector& force,
@@ -180,15 +214,10 @@ void Foam::freeBody::advance
 
     // OpenFOAM takes moments about the centre of rotation
     const vector total(force + motion_.mass()*g_.value());
+    const vector about(moment + (motion_.momentArm() ^ total));
+    endLastStep(total, about);
     motion_.newTime();
-    motion_.update
-    (
-        true,
-        total,
-        moment + (motion_.momentArm() ^ total),
-        deltaT,
-        lastDeltaT_ > 0 ? lastDeltaT_ : deltaT
-    );
+    motion_.update(true, total, about, deltaT, deltaT);
 
     acceleration_ = (velocity() - lastVelocity)/deltaT;
     angularAcceleration_ = (motion_.omega() - lastOmega)/deltaT;

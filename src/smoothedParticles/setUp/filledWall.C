@@ -127,35 +127,40 @@ void Foam::smoothedParticles::filledWall::printSolid(Ostream& os) const
 
 Foam::scalar Foam::smoothedParticles::filledWall::radius(const scalar enough) const
 {
-    point centre(Zero);
-    scalar largest = 0;
-    const auto grow = [&](const point& p)
+    const auto depth = [&](const point& p){ return shape_.findNearest(p, GREAT).depth; };
+    scalarField depths(particles_.x.size());
+    forAll(depths, k)
     {
-        const scalar depth = shape_.findNearest(p, GREAT).depth;
-        const bool grows = depth > largest;
-        if (grows)
-        {
-            largest = depth;
-            centre = p;
-        }
-        return grows;
-    };
-    for (label k = 0; k < particles_.x.size() && largest < enough; ++k)
-    {
-        grow(particles_.x[k]);
+        depths[k] = depth(particles_.x[k]);
     }
-    for (scalar step = 0.5*grid_.spacing; step > 0.01*grid_.spacing && largest < enough; step *= 0.5)
+
+    // Uphill from the deepest particles, of which some may be on a ridge
+    scalar largest = max(depths);
+    const scalar deep = largest - 0.25*grid_.spacing;
+    for (label k = 0; k < depths.size() && largest < enough; ++k)
     {
-        for (bool grows = true; grows && largest < enough;)
+        point centre(particles_.x[k]);
+        scalar here = depths[k];
+        for (scalar step = here < deep ? 0 : 0.5*grid_.spacing; step > 0.01*grid_.spacing; step *= 0.5)
         {
-            grows = false;
-            for (direction d = 0; d < grid_.dim; ++d)
+            for (bool grows = true; grows;)
             {
-                vector along(Zero);
-                along[d] = step;
-                grows = grow(centre + along) || grow(centre - along) || grows;
+                grows = false;
+                for (direction i = 0; i < 2*grid_.dim; ++i)
+                {
+                    point p(centre);
+                    p[i/2] += i % 2 ? step : -step;
+                    const scalar there = depth(p);
+                    if (there > here)
+                    {
+                        here = there;
+                        centre = p;
+                        grows = true;
+                    }
+                }
             }
         }
+        largest = max(largest, here);
     }
     return largest;
 }
@@ -192,7 +197,7 @@ void Foam::smoothedParticles::filledWall::checkSolid(const dictionary& dict, Dyn
             text
             (
                 "The particles are coarse: their spacing, ", grid_.spacing, " m, is more than half the radius of ", name, ", ",
-                largest, " m: the forces on it are too large."
+                largest, " m: the forces on it may come out far too large."
             )
         );
     }
