@@ -431,14 +431,14 @@ TEST(ParticleBodies, Archimedes)
 }
 
 
-// Let go at rest in a deep tank, a circle far lighter than the liquid, or far heavier, starts as in an ideal fluid, and m a is the
-// force on it at each step
+// Let go at rest in a deep tank, a circle far lighter than the liquid, or far heavier, moves as in an ideal fluid, to what six
+// spacings along its radius resolve and the sound of the start leaves; m a is the force on it at each step
 TEST(ParticleBodies, lightAndHeavy)
 {
     constexpr double spacing = 0.02;
     constexpr double c0 = 28;
     constexpr double radius = 0.12;
-    for (const double ratio : {0.01, 0.1, 0.5, 3.0, 20.0})
+    for (const double ratio : {0.001, 0.01, 0.1, 0.5, 20.0})
     {
         particleFlowModel<2> m = modelOf<2>(spacing, c0);
         m.interaction.g = {{0, -g, 0}};
@@ -448,14 +448,17 @@ TEST(ParticleBodies, lightAndHeavy)
         body.force = Foam::vector(0, -body.mass*g, 0);
         auto flow = newParticleFlow<2>(s, m, 1, {{1, body.state}}, body.response());
         const double ideal = (1 - ratio)/(1 + ratio)*g;
+        double largest = 0;
         for (const double end : {0.02, 0.05, 0.1})
         {
             while (flow->time() < end)
             {
                 body.advance(*flow, std::min(flow->stableTimeStep(), end - flow->time()), body.force);
+                largest = std::max(largest, std::abs(body.respond(flow->wallLoads(1)).linear[1]));
             }
-            std::cout << ratio << " " << end << " " << body.state.velocity[1] << " " << ideal*end << std::endl;
-            EXPECT_NEAR(body.state.velocity[1]/(ideal*end), 1, 0.06) << ratio << " at " << end;
+            EXPECT_NEAR(body.state.velocity[1]/(ideal*end), 1, 0.1) << ratio << " at " << end;
         }
+        // No swinging: at the start the liquid near by goes along, all of it when the sound has gone round
+        EXPECT_LT(largest, 6*std::abs(ideal)) << ratio;
     }
 }
