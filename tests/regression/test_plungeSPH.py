@@ -257,21 +257,21 @@ def test_circle(contact: bool, tmp_path: Path) -> None:
     assert 0.42 < path["y_m"][-1] < 0.58 and path["Fpy_N"].max() > 0.5*WATER*np.pi*0.08**2*GRAVITY
 
 
-def formulation(run: Path) -> None:
-    """What docs/particles.md says of the paper's formulation, at the end of a case."""
+def formulation(run: Path, neighbours: int) -> None:
+    """What docs/particles.md says of the paper's formulation, at the end of a case, with other than 500 neighbours."""
     text = (REPOSITORY / "docs/particles.md").read_text().split("## The paper's formulation")[1].split("```")[1]
     path = run / PROPERTIES
-    path.write_text(path.read_text() + text)
+    assert "neighbours          500;" in text
+    path.write_text(path.read_text() + text.replace("500", str(neighbours)))
 
 
 def test_paperFormulation(tmp_path: Path) -> None:
     """The formulation of IAC-20-E2.1.9 on Titan: its k0; the energy budget holds, also over a restart, and eq. 2 follows the
     equation of state."""
     run = case("damBreak", tmp_path / "run", {"geometry/spacing": 0.01}, endTime=0.4, writeInterval=0.2, purgeWrite=0)
-    formulation(run)
-    setEntry(run, "constant/g", "value", "(0 -1.35 0)")
     # 500 reach as far as the column is wide
-    setEntry(run, PROPERTIES, "neighbours", 60)
+    formulation(run, 60)
+    setEntry(run, "constant/g", "value", "(0 -1.35 0)")
     output = foam("plungeSPH", "-threads", 1, case=run)
     k0, c0 = (float(re.search(rf"{name} = (\S+) ", output).group(1)) for name in ("c0\\^2/gamma", "c0"))
     assert k0 == pytest.approx(100*1.35*664/7, rel=1e-4) and c0 == pytest.approx(10*np.sqrt(1.35), rel=1e-4)
