@@ -399,7 +399,7 @@ def read_scene(case: Path) -> Scene:
     if not blocks:
         return Scene()
     models = re.search(r"^    models +: (.+)", blocks[-1], re.M)
-    return Scene(models[1].strip() if models else "", tuple(dict.fromkeys(re.findall(r"^    Note: (.*\S)", log, re.M))))
+    return Scene(models[1].strip() if models else "", tuple(dict.fromkeys(re.findall(r"^ *Note: (.*\S)", log, re.M))))
 
 
 def particle_counts(case: Path) -> tuple[int, int]:
