@@ -359,25 +359,6 @@ TEST(freeBody, springKeepsItsEnergyWithEveryIntegrator)
 }
 
 
-TEST(freeBody, restraintTooStiffForTheStepIsRefused)
-{
-    Body body
-    (
-        "(1 1 1)",
-        "solver { type Newmark; }"
-        "restraints"
-        "{"
-        "    spring"
-        "    {"
-        "        sixDoFRigidBodyMotionRestraint linearSpring;"
-        "        anchor (1 2 5); refAttachmentPt (1 2 3); restLength 1; stiffness 200; damping 0;"
-        "    }"
-        "}"
-    );
-    expectRefused({"restraints", "time step of 1 s", "Expected"}, [&]{ body->advance(Zero, Zero, 1); });
-}
-
-
 namespace
 {
 

@@ -390,8 +390,8 @@ class Scene:
 
 
 def read_scene(case: Path) -> Scene:
-    """What the log says under Scene, at the latest start, and in the notes at the ends of runs; empty where it says nothing or is not
-    kept."""
+    """What the log says under Scene, at the latest start, and every note of all starts, also those of the run; empty where it
+    says nothing or is not kept."""
     if not (case / f"log.{solver_name(case)}").is_file():
         return Scene()
     log = solver_log(case)
@@ -399,8 +399,7 @@ def read_scene(case: Path) -> Scene:
     if not blocks:
         return Scene()
     models = re.search(r"^    models +: (.+)", blocks[-1], re.M)
-    notes = re.findall(r"^    Note: (.*\S)", blocks[-1], re.M) + re.findall(r"^Note: (.*\S)", log, re.M)
-    return Scene(models[1].strip() if models else "", tuple(notes))
+    return Scene(models[1].strip() if models else "", tuple(dict.fromkeys(re.findall(r"^ *Note: (.*\S)", log, re.M))))
 
 
 def particle_counts(case: Path) -> tuple[int, int]:
