@@ -2,6 +2,7 @@
 
 #include "isoAdvectorScheme.H"
 #include "addToRunTimeSelectionTable.H"
+#include "foamVersion.H"
 #include "fvc.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -44,7 +45,7 @@ void Foam::interfaceSchemes::isoAdvector::advance()
         f_.U -= fvc::reconstruct(mesh_.phi());
     }
 
-    advector_.advect();
+    foamVersion::advect(advector_);
 
     if (mesh_.moving())
     {

@@ -3,6 +3,7 @@
 #include "compositeMesh.H"
 #include "cellCellStencilObject.H"
 #include "dynamicOversetFvMesh.H"
+#include "foamVersion.H"
 #include "fvc.H"
 #include "fvm.H"
 #include "fvMatrices.H"
@@ -27,11 +28,12 @@ void exchange(const fvMesh& mesh)
 
     for (const fieldType* field : mesh.lookupClass<fieldType>())
     {
-        dynamicOversetFvMesh::correctBoundaryConditions
+        foamVersion::correctBoundariesOf
         <
+            dynamicOversetFvMesh,
             fieldType,
             processorFvPatchField<Type>
-        >(const_cast<fieldType*>(field)->boundaryFieldRef(false), true);
+        >(const_cast<fieldType&>(*field));
     }
 }
 
@@ -93,7 +95,7 @@ void Foam::compositeMesh::setCellMask()
 
     forAll(mask, celli)
     {
-        mask[celli] = (types[celli] == cellCellStencil::HOLE ? 0 : 1);
+        mask[celli] = (foamVersion::isHole<cellCellStencil>(types[celli]) ? 0 : 1);
     }
     masks_->cell.correctBoundaryConditions();
 }
@@ -190,7 +192,7 @@ Foam::tmp<Foam::scalarField> Foam::compositeMesh::calculatedCells() const
     forAll(calculated, celli)
     {
         calculated[celli] =
-            (types[celli] == cellCellStencil::CALCULATED ? 1 : 0);
+            (foamVersion::isCalculated<cellCellStencil>(types[celli]) ? 1 : 0);
     }
     return tcalculated;
 }
@@ -210,19 +212,9 @@ Foam::tmp<Foam::scalarField> Foam::compositeMesh::donorCells() const
             used[slot] = 1;
         }
     }
-    mapDistributeBase::distribute
+    foamVersion::reverseCombine<mapDistributeBase>
     (
-        Pstream::commsTypes::nonBlocking,
-        List<labelPair>(),
-        mesh_.nCells(),
-        map.constructMap(),
-        false,
-        map.subMap(),
-        false,
-        used,
-        maxEqOp<scalar>(),
-        flipOp(),
-        scalar(0)
+        map, mesh_.nCells(), used, maxEqOp<scalar>(), scalar(0)
     );
     return used*calculatedCells();
 }
@@ -362,7 +354,7 @@ void Foam::compositeMesh::checkHoles() const
     label nLeaked = 0;
     forAll(zones, celli)
     {
-        if (types[celli] == cellCellStencil::HOLE)
+        if (foamVersion::isHole<cellCellStencil>(types[celli]))
         {
             bool covered = false;
             forAll(bounds, zonei)

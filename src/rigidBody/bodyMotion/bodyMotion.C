@@ -3,6 +3,7 @@
 #include "bodyMotion.H"
 #include "bodyCoefficients.H"
 #include "fixedGradientFvPatchFields.H"
+#include "foamVersion.H"
 #include "pointConstraint.H"
 #include "sixDoFRigidBodyMotionConstraint.H"
 #include "sixDoFRigidBodyMotionRestraint.H"
@@ -52,12 +53,17 @@ Foam::bodyLoads Foam::bodyMotion::patchForces::calculate
     const point& centre
 )
 {
-    calcForcesMoment();
-
     bodyLoads l;
+    #if foamForcesAreVectors
+    calcForcesMoments();
+    l.pressure = sumPatchForcesP_;
+    l.viscous = sumPatchForcesV_;
+    #else
+    calcForcesMoment();
     l.pressure = sum(force_[0]);
     l.viscous = sum(force_[1]);
-    l.moment = momentEff() + ((coordSys_.origin() - centre) ^ forceEff());
+    #endif
+    l.moment = momentEff() + ((foamForcesOrigin - centre) ^ forceEff());
     return l;
 }
 
