@@ -238,6 +238,7 @@ void Foam::freeSurfaceFlow::correctPressure()
                *reconstruct(correctorTerms_->nByrAUf, dPhi);
             composite_.mask(U_);
             U_.correctBoundaryConditions();
+            composite_.settle(U_);
             fvOptions_.correct(U_);
         }
     }
