@@ -730,34 +730,20 @@ void Foam::cellCellStencils::rigidZones::stencilWeights
             gradient += inverse & (mean - (moment & gradient));
         }
 
+        label least = 0;
         forAll(donors, i)
         {
             weights[i] *= 1/total - ((donors[i] - sample - mean) & gradient);
+            if (weights[i] < weights[least])
+            {
+                least = i;
+            }
         }
-        const scalar least = min(weights);
-        if (least >= 0)
+        if (weights[least] >= 0)
         {
             break;
         }
-
-        // Of equal ones, as aligned meshes have them, the first in space
-        label out = -1;
-        forAll(donors, i)
-        {
-            if
-            (
-                weights[i] < 0
-             && weights[i] < least + 1e-9
-             && (
-                    out == -1
-                 || zoneSearch::comesBefore(donors[i], donors[out], 1e-6*sqrt(size))
-                )
-            )
-            {
-                out = i;
-            }
-        }
-        isUsed[out] = false;
+        isUsed[least] = false;
     }
 
     const scalar all = sum(weights);
