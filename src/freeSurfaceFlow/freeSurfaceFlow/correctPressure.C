@@ -219,8 +219,48 @@ void Foam::freeSurfaceFlow::correctPressure()
         (
             fvm::laplacian(rAUf, p_rgh_) == fvc::div(phiHbyA)
         );
-        p_rghEqn.setReference(pRefCell_, getRefCellValue(p_rgh_, pRefCell_));
-        p_rghEqn.solve(mesh_.solver(p_rgh_.select(pimple_.finalInnerIter())));
+        const auto solvePressure = [&]
+        {
+            p_rghEqn.setReference(pRefCell_, getRefCellValue(p_rgh_, pRefCell_));
+            p_rghEqn.solve(mesh_.solver(p_rgh_.select(pimple_.finalInnerIter())));
+        };
+        solvePressure();
+
+        // In a closed domain the fluid that the interpolation between zones
+        // makes or takes has nowhere to go: the cell that is the reference
+        // would be its source. It is spread over the flow, the reference then
+        // being like any other cell after a few solutions
+        if (composite_.isOverset() && p_rgh_.needReference())
+        {
+            const scalarField calculated(composite_.calculatedCells()*mesh_.V().field());
+            const scalar volume = gSum(calculated);
+            scalarField divergence(mesh_.nCells(), Zero);
+            scalar first = 0;
+            for (label pass = 0; pass < 5; ++pass)
+            {
+                const scalarField div
+                (
+                    fvc::div(phiHbyA - p_rghEqn.flux())().primitiveField() - divergence
+                );
+                scalar source =
+                    pRefCell_ == -1 ? 0 : div[pRefCell_]*mesh_.V()[pRefCell_];
+                reduce(source, sumOp<scalar>());
+                first = max(first, mag(source));
+                if (mag(source) <= 1e-3*first)
+                {
+                    break;
+                }
+                divergence += source/volume;
+
+                p_rghEqn =
+                    fvScalarMatrix
+                    (
+                        fvm::laplacian(rAUf, p_rgh_) == fvc::div(phiHbyA)
+                    );
+                p_rghEqn.source() -= divergence*calculated;
+                solvePressure();
+            }
+        }
 
         if (pimple_.finalNonOrthogonalIter())
         {
@@ -238,6 +278,7 @@ void Foam::freeSurfaceFlow::correctPressure()
                *reconstruct(correctorTerms_->nByrAUf, dPhi);
             composite_.mask(U_);
             U_.correctBoundaryConditions();
+            composite_.settle(U_);
             fvOptions_.correct(U_);
         }
     }

@@ -216,7 +216,7 @@ Foam::freeSurfaceFlow::freeSurfaceFlow(dynamicFvMesh& mesh)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::freeSurfaceFlow::check() const
+void Foam::freeSurfaceFlow::check()
 {
     composite_.checkDonors();
     if (body_)
@@ -280,8 +280,54 @@ void Foam::freeSurfaceFlow::setPressureReference()
     {
         p_ = p_rgh_ + rho_*buoyancy_->gh;
     }
-    setRefCell(p_, p_rgh_, pimple_.dict(), pRefCell_, pRefValue_);
+    if (composite_.isOverset() && p_rgh_.needReference())
+    {
+        const point reference(pressureReference());
+        // A body may come over it later
+        const bool mayBeCovered =
+            restart::isFrom(mesh_) && composite_.backgroundBounds().contains(reference);
+        if (!mayBeCovered && !composite_.isInFlow(reference))
+        {
+            refuseEntry
+            (
+                pimple_.dict(),
+                pimple_.dict().found("pRefCell") ? "pRefCell" : "pRefPoint",
+                text("sets the pressure's reference at ", reference, ", where there is no fluid"),
+                "a place in the fluids, in no body."
+            );
+        }
+        pRefValue_ = pimple_.dict().get<scalar>("pRefValue");
+        pRefCell_ = composite_.calculatedCell(reference);
+    }
+    else
+    {
+        setRefCell(p_, p_rgh_, pimple_.dict(), pRefCell_, pRefValue_);
+    }
     setPressure();
+}
+
+
+Foam::point Foam::freeSurfaceFlow::pressureReference() const
+{
+    const dictionary& dict = pimple_.dict();
+    if (!dict.found("pRefCell"))
+    {
+        return dict.get<point>("pRefPoint");
+    }
+
+    // As in OpenFOAM, a cell of the first processor
+    point centre(Zero);
+    if (Pstream::master())
+    {
+        const label celli = dict.get<label>("pRefCell");
+        if (celli < 0 || celli >= mesh_.nCells())
+        {
+            refuseEntry(dict, "pRefCell", text("is ", celli), text("a cell from 0 to ", mesh_.nCells() - 1, "."));
+        }
+        centre = mesh_.cellCentres()[celli];
+    }
+    Pstream::scatter(centre);
+    return centre;
 }
 
 

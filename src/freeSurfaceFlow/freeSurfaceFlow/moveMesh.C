@@ -2,7 +2,40 @@
 
 #include "freeSurfaceFlow.H"
 #include "fvc.H"
+#include "inputChecks.H"
 #include "profiling.H"
+#include "stopAfterWriting.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::freeSurfaceFlow::checkMotion() const
+{
+    const scalarField& V = mesh_.V().field();
+    const label smallest = V.size() ? findMin(V) : -1;
+    if (gMin(V) <= 0)
+    {
+        point where(point::max);
+        if (smallest != -1 && V[smallest] <= 0)
+        {
+            where = mesh_.cellCentres()[smallest];
+        }
+        stopAfterWriting
+        (
+            mesh_,
+            text
+            (
+                "The motion has turned cells inside out, the worst at ", returnReduce(where, minOp<point>()),
+                ": the body is too near to another boundary, or has moved too far for its mesh."
+            ),
+            "a body that keeps away from the boundaries: where its mesh is not rigid, by more than innerDistance of"
+            " constant/dynamicMeshDict."
+        );
+    }
+    composite_.checkZones();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::freeSurfaceFlow::moveMesh()
 {
@@ -17,7 +50,7 @@ void Foam::freeSurfaceFlow::moveMesh()
     const bool isNew = pimple_.firstIter() && nRepeats_ == 0;
     if (addedMass_ && isNew && addedMass_->isDue())
     {
-        addedMass_->solve(rho_, p_rgh_, potentialTypes(), pimple_.nNonOrthCorr());
+        addedMass_->solve(rho_, p_rgh_, potentialTypes(), pimple_.nNonOrthCorr(), pRefCell_);
     }
     if (body_ && isNew)
     {
@@ -60,6 +93,11 @@ void Foam::freeSurfaceFlow::moveMesh()
     MRF_.update();
 
     composite_.update();
+    checkMotion();
+    if (composite_.isOverset() && p_rgh_.needReference())
+    {
+        pRefCell_ = composite_.calculatedCell(pressureReference());
+    }
     if (composite_.isOverset() || c.correctPhi)
     {
         composite_.setUncovered(Uf_(), U_);
