@@ -5,6 +5,7 @@
 #include "isoAdvectorScheme.H"
 #include "restart.H"
 #include "fvc.H"
+#include "localEulerDdtScheme.H"
 #include "subCycle.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -68,6 +69,13 @@ void Foam::interfaceScheme::subCycle()
 
     const dimensionedScalar deltaT(mesh_.time().deltaT());
     surfaceScalarField meanAlphaPhi("meanAlphaPhi", 0*alphaPhi_);
+
+    // Registered by its name, for the time scheme
+    tmp<volScalarField> rSubDeltaT;
+    if (fv::localEulerDdt::enabled(mesh_))
+    {
+        rSubDeltaT = fv::localEulerDdt::localRSubDeltaT(mesh_, nSubCycles);
+    }
 
     for
     (

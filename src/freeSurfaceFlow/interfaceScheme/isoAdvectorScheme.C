@@ -3,6 +3,7 @@
 #include "isoAdvectorScheme.H"
 #include "addToRunTimeSelectionTable.H"
 #include "fvc.H"
+#include "inputChecks.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -23,6 +24,27 @@ Foam::interfaceSchemes::isoAdvector::isoAdvector(const fields& f)
     interfaceScheme(f),
     advector_(alpha1_, f.phi, f.U)
 {
+    #if OPENFOAM < 2006
+    const word reconstruction
+    (
+        controls().lookupOrDefault<word>("reconstructionScheme", "isoAlpha")
+    );
+    if (reconstruction != "isoAlpha")
+    {
+        refuseEntry
+        (
+            controls(),
+            "reconstructionScheme",
+            text
+            (
+                "is ", reconstruction, ", which OpenFOAM v", OPENFOAM,
+                " does not have"
+            ),
+            "isoAlpha, the only one before OpenFOAM v2006."
+        );
+    }
+    #endif
+
     if (f.composite.isOverset())
     {
         FatalErrorInFunction
