@@ -227,7 +227,12 @@ void Foam::interfaceSchemes::MULES::advance()
 
     for (label corr = 0; corr < nCorr; ++corr)
     {
-        f_.interface->correct();
+        // With contact angles the normals are those that the last step, or
+        // correction, has found
+        if (!contactAngles_ || (implicit && corr == 0))
+        {
+            f_.interface->correct();
+        }
         const surfaceScalarField phir(phic*f_.interface->nHatf());
 
         tmp<surfaceScalarField> tunbounded
@@ -306,6 +311,11 @@ void Foam::interfaceSchemes::MULES::advance()
         }
 
         alpha2_ = 1 - alpha1_;
+
+        if (contactAngles_)
+        {
+            f_.interface->correct();
+        }
     }
 
     if (reuse && implicit)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "interfaceScheme.H"
+#include "alphaContactAngleTwoPhaseFvPatchScalarField.H"
 #include "inputChecks.H"
 #include "isoAdvectorScheme.H"
 #include "restart.H"
@@ -17,6 +18,26 @@ namespace Foam
 }
 
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+bool hasContactAngles(const Foam::volScalarField& alpha)
+{
+    for (const auto& p : alpha.boundaryField())
+    {
+        if (Foam::isA<Foam::alphaContactAngleTwoPhaseFvPatchScalarField>(p))
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+} // End anonymous namespace
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::interfaceScheme::interfaceScheme(const fields& f)
@@ -29,7 +50,8 @@ Foam::interfaceScheme::interfaceScheme(const fields& f)
     (
         restart::field(IOobject::groupName("alphaPhi0", alpha1_.group()), mesh_),
         f.phi*fvc::interpolate(alpha1_)
-    )
+    ),
+    contactAngles_(f.interface && hasContactAngles(alpha1_))
 {}
 
 

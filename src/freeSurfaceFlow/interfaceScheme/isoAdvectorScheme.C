@@ -80,6 +80,11 @@ void Foam::interfaceSchemes::isoAdvector::advance()
         dimensionedScalar(dimless, Zero)
     );
     alpha2_ = 1 - alpha1_;
+
+    if (contactAngles_)
+    {
+        f_.interface->correct();
+    }
 }
 
 
