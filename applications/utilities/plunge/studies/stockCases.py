@@ -180,7 +180,7 @@ def setUp(tutorial: str, directory: Path) -> Path:
     override(case, "system/fvSolution", BOTH.get(tutorial, ""))
     # angledDuct's porous part takes more than that gives
     solution = case / "system/fvSolution"
-    solution.write_text(solution.read_text().replace("maxIter 500;", "maxIter 5000;"))
+    solution.write_text(re.sub(r"(\bmaxIter\s+)500;", r"\g<1>5000;", solution.read_text()))
     return case
 
 
