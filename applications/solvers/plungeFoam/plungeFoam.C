@@ -12,9 +12,12 @@ Description
 
 #include "argList.H"
 #include "freeSurfaceFlow.H"
+#include "functionObjectList.H"
+#include "mapPolyMesh.H"
 #include "profileTable.H"
 #include "profiling.H"
 #include "restart.H"
+#include "timeSelector.H"
 
 #include <malloc.h>
 
@@ -32,13 +35,19 @@ int main(int argc, char *argv[])
         " body that plunges into them, on any dynamic mesh, overset included."
     );
 
+    // The option -postProcess, as every solver has it
+    #define CREATE_MESH createDynamicFvMesh.H
+    #define NO_CONTROL
+    #define CREATE_FIELDS createFlow.H
+    #include "postProcess.H"
+
     #include "addCheckCaseOptions.H"
     #include "setRootCaseLists.H"
     #include "createTime.H"
     restart::begin(runTime);
     #include "createDynamicFvMesh.H"
 
-    freeSurfaceFlow flow(mesh);
+    #include "createFlow.H"
 
     Info<< "\nStarting time loop\n" << endl;
 

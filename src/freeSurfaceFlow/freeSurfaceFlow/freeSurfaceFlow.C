@@ -2,10 +2,10 @@
 
 #include "freeSurfaceFlow.H"
 #include "findRefCell.H"
+#include "functionObject.H"
 #include "fvc.H"
 #include "gravityMeshObject.H"
 #include "inputChecks.H"
-#include "localEulerDdtScheme.H"
 #include "restart.H"
 #include "uniformDimensionedFields.H"
 #include "profiling.H"
@@ -27,6 +27,19 @@ IOobject readField(const word& name, const fvMesh& mesh)
         IOobject::MUST_READ,
         IOobject::AUTO_WRITE
     );
+}
+
+//- Do function objects look up the flux of the liquid? scalarTransport with the
+//  entry phase does, under the name alphaPhiUn
+bool namesLiquidFlux(const dictionary& controlDict)
+{
+    OStringStream os;
+    os  << controlDict.subOrEmptyDict("functions");
+    const std::string functions(os.str());
+
+    return
+        functions.find("scalarTransport") != std::string::npos
+     || functions.find("alphaPhiUn") != std::string::npos;
 }
 
 } // End anonymous namespace
@@ -86,6 +99,7 @@ Foam::freeSurfaceFlow::freeSurfaceFlow(dynamicFvMesh& mesh)
     scene_(mesh),
     pimple_(mesh),
     composite_(mesh),
+    rDeltaT_(newLocalTimeSteps()),
     body_(scene_.hasBody() ? new bodyMotion(mesh) : nullptr),
     addedMass_(body_ && addedMassTensor::isWanted(body_()) ? new addedMassTensor(mesh, body_()) : nullptr),
     p_rgh_(readField("p_rgh", mesh), mesh),
@@ -132,6 +146,16 @@ Foam::freeSurfaceFlow::freeSurfaceFlow(dynamicFvMesh& mesh)
                 composite_
             }
         )
+    ),
+    alphaPhiUn_
+    (
+        functionObject::postProcess || namesLiquidFlux(time_.controlDict())
+      ? new surfaceScalarField
+        (
+            IOobject("alphaPhiUn", time_.timeName(), mesh),
+            scheme_->alphaPhi()
+        )
+      : nullptr
     ),
     fringeVolume_
     (
@@ -193,6 +217,11 @@ Foam::freeSurfaceFlow::freeSurfaceFlow(dynamicFvMesh& mesh)
         );
     }
 
+    if (functionObject::postProcess)
+    {
+        return;
+    }
+
     // A restart has its flux; only a first start may lack continuity
     const bool restarted = restart::isFrom(mesh_);
     if (!restarted && scene_.potentialStart())
@@ -230,17 +259,6 @@ void Foam::freeSurfaceFlow::check()
     if (scene_.potentialStart() && !body_)
     {
         refuseEntry(scene_.dict(), "initialFlow", "is potential, but the scene has no body", "fields.");
-    }
-
-    if (fv::localEulerDdt::enabled(mesh_))
-    {
-        refuseEntry
-        (
-            mesh_.schemesDict().subDict("ddtSchemes"),
-            "default",
-            "is localEuler",
-            "a scheme that is accurate in time."
-        );
     }
 
     const dictionary& dict = pimple_.dict();

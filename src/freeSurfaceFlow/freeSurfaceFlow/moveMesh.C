@@ -109,6 +109,7 @@ void Foam::freeSurfaceFlow::moveMesh()
         composite_.mask(phi_);
         composite_.mask(U_);
         fvc::makeRelative(phi_, U_);
+        scheme_->meshMoved();
     }
 }
 

@@ -84,6 +84,51 @@ word simulationType(const fvMesh& mesh)
     return dict.get<word>("simulationType");
 }
 
+//- The controls of the volume fraction, whose phase has no name yet
+const dictionary& alphaControls(const fvMesh& mesh)
+{
+    for (const entry& e : mesh.solutionDict().subOrEmptyDict("solvers"))
+    {
+        if (e.isDict() && e.keyword().substr(0, 5) == "alpha")
+        {
+            return mesh.solutionDict().subDict("solvers").subDict(e.keyword());
+        }
+    }
+    return dictionary::null;
+}
+
+
+//- interFoam's scheme, or interIsoFoam's where the case has controls that are
+//  read by isoAdvection alone, or lacks the one that MULES cannot do without
+word interfaceOf(const dictionary& dict, const fvMesh& mesh)
+{
+    if (dict.found("interface"))
+    {
+        return dict.get<word>("interface");
+    }
+
+    const dictionary& controls = alphaControls(mesh);
+    for
+    (
+        const word name :
+        {
+            "isoFaceTol", "surfCellTol", "gradAlphaNormal", "nAlphaBounds",
+            "snapTol", "clip", "reconstructionScheme"
+        }
+    )
+    {
+        if (controls.found(name))
+        {
+            return "isoAdvector";
+        }
+    }
+    return
+        controls.found("nAlphaSubCycles") && !controls.found("nAlphaCorr")
+      ? "isoAdvector"
+      : "MULES";
+}
+
+
 scene::boundaryLayerType boundaryLayerOf(const dictionary& dict)
 {
     if (dict.isDict("boundaryLayer"))
@@ -128,7 +173,7 @@ Foam::scene::scene(const fvMesh& mesh)
     surfaceTension_(dict_.lookupOrDefault<Switch>("surfaceTension", true)),
     boundaryLayer_(boundaryLayerOf(dict_)),
     simulationType_(simulationType(mesh)),
-    interface_(dict_.lookupOrDefault<word>("interface", "MULES")),
+    interface_(interfaceOf(dict_, mesh)),
     initialFlow_(readChoice(initialFlowTypeNames, dict_, "initialFlow", initialFlowType::fields)),
     fringe_(readChoice(fringeTypeNames, dict_, "fringe", fringeType::interpolated))
 {
