@@ -188,7 +188,7 @@ def test_surface_lies_where_the_dive_starts(case: Path) -> None:
     (["-set", "body.mass=-1"], "entry 'body.mass' is -1; expected a number above 0"),
     (["-set", "entry.angel=60"], "unknown entry 'entry.angel'"),
     (["-set", "entry.angle=-60"], "entry 'entry.angle' is -60, so that the body does not come down"),
-    (["-set", "entry.gap=1e-5", "-set", "body.shape.thicknessRatio=0.4"], "but the body reaches"),
+    (["-set", "entry.gap=0"], "entry 'entry.gap' is 0; expected a number above 0"),
     (["-set", "body.freedom=planar", "-set", "entry.sideslip=20"], "entry 'entry.sideslip' moves the body in a way that freedom planar does not"),
     (["-set", "body.freedom=planar", "-set", "entry.spin=(1 0 0)"], "entry 'entry.spin' moves the body in a way that freedom planar does not"),
     (["-set", "body.momentOfInertia=(1e-9 1e-9 1)"], "expected moments of which none exceeds the sum of the others"),
@@ -344,6 +344,18 @@ def test_particles_take_steps_of_half_the_smoothing_length_over_the_speed_of_sou
     g = particles(case)
     step = 0.5 * 1.5 * g["particleSpacing"] / (g["particleSoundSpeed"] + 25)
     assert g["estimatedSteps"] == pytest.approx(g["diveDuration"] / step, abs=5.1)
+
+
+@pytest.mark.parametrize("angle, ratio", [(75, 0.1), (20, 0.1), (30, 0.4), (90, 0.1)])
+def test_gap_is_that_of_the_lowest_point(angle: float, ratio: float) -> None:
+    """At a flat angle, or of a thick body, that is far from the nose."""
+    found = generated(entry__angle=angle, entry__gap=0.01, body__shape__thicknessRatio=ratio)
+    points, _ = NACA(1.0, ratio).surface()
+    aft, side, dorsal = points.T
+    heights = found["nosePosition"][2] - aft * found["forward"][2] + dorsal * found["dorsal"][2]
+    assert heights.min() == pytest.approx(0.01, abs=1e-9)
+    # So far above the nose that a gap of the nose would have put it into the liquid
+    assert (heights[0] > 0.02) == (angle < 75)
 
 
 # --- what is modelled --------------------------------------------------------

@@ -33,6 +33,8 @@ _SHAPE_FILES = "constant/geometry"
 _SHOWN = 8  # of the entries that differ
 _BEGUN = ".plungeCase"  # of a set-up that was interrupted
 _MOST = 2e8     # cells or particles
+_LONGEST_JOB = 8760.0   # [h]
+_MOST_STEPS = 1e8   # of time: months, also of the smallest meshes
 
 OPTIONS = {
     "method": word(*decisions.METHODS),
@@ -118,6 +120,9 @@ def derive(path: Path, given: dict[str, Any] = {}) -> Case:
     case = _derived(path, given)
     if case.count > _MOST:
         raise ParameterError(f"{case.scene.file}: {case.count:.3g} {case.unit}; expected {_MOST:g} at most: a coarser tier or resolution, or a shape without such thin parts")
+    if not float(case.flat["estimatedSteps"]) <= _MOST_STEPS:
+        raise ParameterError(f"{case.scene.file}: {case.scene.duration:.3g} s are {float(case.flat['estimatedSteps']):.3g} time steps; expected "
+                             f"{_MOST_STEPS:g} at most: a shorter duration or travel, or an event, until")
     return case
 
 
@@ -249,6 +254,8 @@ def _write_scene(case: Case, run: Path, overrides: dict[str, Any]) -> None:
 
 def write_job(case: Case, run: Path, memory: float, hours: float) -> Path:
     """A batch script for Slurm in the run directory, which asks for this memory [MB] and time [h]."""
+    if hours > _LONGEST_JOB:
+        raise ParameterError(f"-batch: {hours:.3g} hours with room to spare; expected a year at most: a coarser tier, more cores or a shorter run")
     cores = case.options["cores"]
     tasks, threads = (1, cores) if case.options["method"] == "particles" else (cores, 1)
     text = (TEMPLATES / JOB).read_text()
