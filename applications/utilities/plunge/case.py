@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import fcntl
 import re
 import shlex
 import shutil
@@ -287,13 +288,23 @@ def write(case: Case, run: Path, given: dict[str, Any]) -> bool:
     if run.exists() and any(run.iterdir()) and not (run / _BEGUN).exists():
         raise ParameterError(f"{run} holds other files; expected a new directory, or one that plungeCase has made")
     run.mkdir(parents=True, exist_ok=True)
-    (run / _BEGUN).touch()
+    with (run / _BEGUN).open("a") as begun:
+        # One at a time: another plungeCase may make the same directory
+        fcntl.flock(begun, fcntl.LOCK_EX)
+        if generated.exists():
+            (run / _BEGUN).unlink(missing_ok=True)
+            return write(case, run, given)
+        _make(case, run, given)
+        (run / _BEGUN).unlink()
+    return True
+
+
+def _make(case: Case, run: Path, given: dict[str, Any]) -> None:
+    """The files of the run directory."""
     _copy_case(case, run)
     _write_scene(case, run, parameters(given)[2])
     allrun = run / "Allrun"
     allrun.write_text(allrun.read_text().replace("@plungeDir@", str(TEMPLATES.parents[1])))
     allrun.chmod(0o755)
     # Its presence says that the set-up is complete, so it comes last.
-    foamDictionary.write(generated, NOTE, case.sections)
-    (run / _BEGUN).unlink()
-    return True
+    foamDictionary.write(run / GENERATED, NOTE, case.sections)

@@ -390,14 +390,17 @@ class Scene:
 
 
 def read_scene(case: Path) -> Scene:
-    """What the log says under Scene, at the latest start; empty where it says nothing or is not kept."""
+    """What the log says under Scene, at the latest start, and under Run; empty where it says nothing or is not kept."""
     if not (case / f"log.{solver_name(case)}").is_file():
         return Scene()
-    blocks = re.findall(r"^Scene\n((?:    .*\n)+)", solver_log(case), re.M)
+    log = solver_log(case)
+    blocks = re.findall(r"^Scene\n((?:    .*\n)+)", log, re.M)
     if not blocks:
         return Scene()
     models = re.search(r"^    models +: (.+)", blocks[-1], re.M)
-    return Scene(models[1].strip() if models else "", tuple(re.findall(r"^    Note: (.*\S)", blocks[-1], re.M)))
+    # What a run shows holds for all that went before, too
+    shown = re.findall(r"^Run\n    Note: (.*\S)", log, re.M)
+    return Scene(models[1].strip() if models else "", tuple(dict.fromkeys([*shown, *re.findall(r"^    Note: (.*\S)", blocks[-1], re.M)])))
 
 
 def particle_counts(case: Path) -> tuple[int, int]:

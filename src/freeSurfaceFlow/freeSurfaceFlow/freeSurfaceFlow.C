@@ -81,7 +81,7 @@ void Foam::freeSurfaceFlow::buoyancy::update(const fvMesh& mesh)
 
 Foam::freeSurfaceFlow::freeSurfaceFlow(dynamicFvMesh& mesh)
 :
-    mesh_(mesh),
+    mesh_(withCheckedInput(mesh)),
     time_(mesh.time()),
     scene_(mesh),
     pimple_(mesh),
@@ -156,7 +156,8 @@ Foam::freeSurfaceFlow::freeSurfaceFlow(dynamicFvMesh& mesh)
     correctorTerms_(),
     rAU_(),
     cumulativeContinuityError_(0),
-    longestDeltaT_(0)
+    longestDeltaT_(0),
+    guard_()
 {
     if (scene_.slips())
     {
@@ -206,6 +207,7 @@ Foam::freeSurfaceFlow::freeSurfaceFlow(dynamicFvMesh& mesh)
         turbulence_->validate();
     }
     reportScene(Info);
+    guard_.reset(new runGuard(mesh_, smallLoad()));
 }
 
 
@@ -213,6 +215,10 @@ Foam::freeSurfaceFlow::freeSurfaceFlow(dynamicFvMesh& mesh)
 
 void Foam::freeSurfaceFlow::check() const
 {
+    restart::check(mesh_, scene_.hasBody());
+    checkFluids();
+    checkCorrections();
+
     composite_.checkDonors();
     if (body_)
     {
@@ -249,6 +255,17 @@ void Foam::freeSurfaceFlow::check() const
         for (const word name : {"maxCo", "maxAlphaCo"})
         {
             readPositive(time_.controlDict(), name, "a positive Courant number.");
+        }
+        const scalar largest = runGuard::largestCourant(nCorrections());
+        if (time_.controlDict().get<scalar>("maxCo") > largest)
+        {
+            refuseEntry
+            (
+                time_.controlDict(),
+                "maxCo",
+                text("is ", time_.controlDict().get<scalar>("maxCo"), ", but a step has one pressure correction"),
+                text("at most ", largest, ", or nCorrectors 2 in system/fvSolution.")
+            );
         }
     }
 }
