@@ -237,6 +237,23 @@ void Foam::freeSurfaceFlow::checkCorrections() const
 }
 
 
+void Foam::freeSurfaceFlow::checkDiffusion() const
+{
+    const label n = pimple_.dict().getOrDefault<label>("nCorrectors", 1);
+    const scalar D = guard_->diffusionNumber(mixture_.nu()().primitiveField());
+    if (D > runGuard::largestDiffusion(n))
+    {
+        refuseEntry
+        (
+            pimple_.dict(),
+            "nCorrectors",
+            text("is ", n, ", but the diffusion number of the first step is ", D),
+            text("3, or a shorter deltaT: a diffusion number of at most ", runGuard::largestDiffusion(n), '.')
+        );
+    }
+}
+
+
 Foam::label Foam::freeSurfaceFlow::nCorrections() const
 {
     return pimple_.dict().getOrDefault<label>("nOuterCorrectors", 1)*pimple_.dict().getOrDefault<label>("nCorrectors", 1);

@@ -24,6 +24,11 @@ void Foam::freeSurfaceFlow::checkLastStep()
 {
     checkCorrections();
     guard_->checkSolvers();
+    guard_->checkDiffusion
+    (
+        guard_->diffusionNumber(mixture_.nu()().primitiveField()),
+        pimple_.dict().getOrDefault<label>("nCorrectors", 1)
+    );
 
     const labelHashSet patches
     (

@@ -208,6 +208,7 @@ Foam::freeSurfaceFlow::freeSurfaceFlow(dynamicFvMesh& mesh)
     }
     reportScene(Info);
     guard_.reset(new runGuard(mesh_, smallLoad()));
+    checkDiffusion();
 }
 
 

@@ -5,6 +5,7 @@
 #include "FlatOutput.H"
 #include "IOdictionary.H"
 #include "OFstream.H"
+#include "pointIOField.H"
 #include "OSspecific.H"
 #include "PstreamReduceOps.H"
 #include "surfaceFields.H"
@@ -123,7 +124,8 @@ void Foam::restart::check(const fvMesh& mesh, const bool hasBody)
     }
     if (isA<dynamicMotionSolverFvMesh>(mesh))
     {
-        sort("polyMesh/points", mesh.pointsInstance() == time.timeName());
+        IOobject points("points", time.timeName(), polyMesh::meshSubDir, mesh);
+        sort("polyMesh/points", points.typeHeaderOk<pointIOField>(true));
     }
     if (hasBody)
     {

@@ -3,6 +3,7 @@
 #include "runGuard.H"
 #include "inputChecks.H"
 #include "stopAfterWriting.H"
+#include "surfaceFields.H"
 #include "volFields.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -39,6 +40,29 @@ const scalar lostCourant = 1000;
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+Foam::tmp<Foam::scalarField> Foam::runGuard::slendernessOf(const fvMesh& mesh)
+{
+    // |Sf|/(V d) is 1/h^2 along d
+    scalarField least(mesh.nCells(), GREAT), greatest(mesh.nCells(), Zero);
+    const scalarField& V = mesh.V().field();
+    const scalarField perFace
+    (
+        (mesh.magSf()*mesh.nonOrthDeltaCoeffs())().primitiveField()
+    );
+    forAll(perFace, facei)
+    {
+        for (const label celli : {mesh.owner()[facei], mesh.neighbour()[facei]})
+        {
+            const scalar s = perFace[facei]/V[celli];
+            least[celli] = min(least[celli], s);
+            greatest[celli] = max(greatest[celli], s);
+        }
+    }
+    // Of a cell without neighbours on this processor nothing is known
+    return sqrt(pos0(greatest - VSMALL)*least*greatest);
+}
+
+
 void Foam::runGuard::note(const word& kind, const std::string& sentence)
 {
     if (told_.insert(kind))
@@ -55,6 +79,7 @@ Foam::runGuard::runGuard(const fvMesh& mesh, const scalar smallLoad)
 :
     mesh_(mesh),
     smallLoad_(smallLoad),
+    slenderness_(slendernessOf(mesh)),
     told_(),
     load_(Zero),
     change_(Zero),
@@ -70,7 +95,7 @@ Foam::runGuard::runGuard(const fvMesh& mesh, const scalar smallLoad)
 
 Foam::scalar Foam::runGuard::largestCourant(const label nCorrections)
 {
-    return nCorrections > 1 ? GREAT : 2;
+    return nCorrections > 1 ? GREAT : 1;
 }
 
 
@@ -170,6 +195,36 @@ void Foam::runGuard::checkCourant(const scalar Co, const label nCorrections)
             (
                 "The Courant number is ", Co, ", and a step has ", nCorrections, " pressure correction: expected at most ",
                 largestCourant(nCorrections), ", or more nCorrectors"
+            )
+        );
+    }
+}
+
+
+Foam::scalar Foam::runGuard::diffusionNumber(const scalarField& nu) const
+{
+    // The mesh may have changed its cells
+    return nu.size() == slenderness_.size() ? gMax(nu*slenderness_)*mesh_.time().deltaTValue() : 0;
+}
+
+
+Foam::scalar Foam::runGuard::largestDiffusion(const label nCorrectors)
+{
+    return nCorrectors > 2 ? GREAT : 1;
+}
+
+
+void Foam::runGuard::checkDiffusion(const scalar D, const label nCorrectors)
+{
+    if (D > largestDiffusion(nCorrectors))
+    {
+        note
+        (
+            "diffusion",
+            text
+            (
+                "The diffusion number is ", D, ", and a pass has ", nCorrectors, " pressure corrections: expected at most ",
+                largestDiffusion(nCorrectors), ", or nCorrectors 3"
             )
         );
     }
