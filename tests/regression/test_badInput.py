@@ -3,12 +3,13 @@
 import os
 import re
 import shutil
+import struct
 from pathlib import Path
 from typing import Callable, Dict, NamedTuple, Tuple
 
 import pytest
 
-from tutorials import checkRefused, copy, foam, setEntry, setUp, steps
+from tutorials import checkRefused, copy, foam, run, setEntry, setUp, steps
 
 MOTION = "constant/dynamicMeshDict"
 COEFFS = "sixDoFRigidBodyMotionCoeffs"
@@ -64,6 +65,25 @@ def shifted(vector: str) -> Callable[[Path], None]:
         for command in (("blockMesh",), ("mergeMeshes", ".", "body", "-overwrite"), ("topoSet",), ("setFields",)):
             foam(*command, case=case)
     return edit
+
+
+def notANumber(field: str) -> Callable[[Path], None]:
+    """Puts one into a field in binary format, where no reader stumbles over it."""
+    def edit(case: Path) -> None:
+        if field != "alpha.water":     # which setFields has made a list of
+            setEntry(case, f"0/{field}", "internalField", f"nonuniform List<vector> {cells(case)}{{(0 0 0)}}")
+        setEntry(case, "system/controlDict", "writeFormat", "binary")
+        setEntry(case, "system/controlDict", "startFrom", "startTime")
+        foam("foamFormatConvert", case=case)
+        path = case / "0" / field
+        data = path.read_bytes()
+        begin = data.index(b"(", data.index(b"nonuniform")) + 1
+        path.write_bytes(data[:begin] + struct.pack("d", float("nan")) + data[begin + 8:])
+    return edit
+
+
+def cells(case: Path) -> int:
+    return int(re.search(r"nCells:\s*(\d+)", (case / "constant/polyMesh/owner").read_text(errors="replace"))[1])
 
 
 class Mistake(NamedTuple):
@@ -150,6 +170,38 @@ MISTAKES = {
         ("fvSchemes", "localEuler", "isoAdvector", "MULES")),
     "interface Courant number of zero": Mistake(
         "damBreak", entry("system/controlDict", "maxAlphaCo", "0"), ("controlDict", "maxAlphaCo", "positive")),
+    "no pressure correction": Mistake(
+        "damBreak", entry("system/fvSolution", "PIMPLE/nCorrectors", 0), ("fvSolution", "nCorrectors", "is 0", "at least 1")),
+    "no pass": Mistake(
+        "floatingBody", entry("system/fvSolution", "PIMPLE/nOuterCorrectors", 0), ("fvSolution", "nOuterCorrectors", "is 0", "at least 1")),
+    "fewer than no corrections of oblique meshes": Mistake(
+        "damBreak", entry("system/fvSolution", "PIMPLE/nNonOrthogonalCorrectors", -1), ("fvSolution", "nNonOrthogonalCorrectors", "is -1")),
+    "interface that is not advanced": Mistake(
+        "damBreak", entry("system/fvSolution", 'solvers/"alpha.water.*"/nAlphaCorr', 0), ("fvSolution", "nAlphaCorr", "is 0", "at least 1")),
+    "one correction at a Courant number of five": Mistake(
+        "damBreak", both(entry("system/fvSolution", "PIMPLE/nCorrectors", 1), entry("system/controlDict", "maxCo", 5)),
+        ("controlDict", "maxCo", "is 5", "one pressure correction", "nCorrectors 2")),
+    "density below zero": Mistake(
+        "damBreak", entry("constant/transportProperties", "water/rho", -1000), ("transportProperties", "water", "rho", "-1000", "positive")),
+    "density of zero": Mistake(
+        "floatingBody", entry("constant/transportProperties", "air/rho", 0), ("transportProperties", "air", "rho", "is 0", "positive")),
+    "viscosity below zero": Mistake(
+        "damBreak", entry("constant/transportProperties", "air/nu", -1e-5), ("transportProperties", "air", "nu", "-1e-05", "positive")),
+    "surface tension below zero": Mistake(
+        "damBreak", entry("constant/transportProperties", "sigma", -0.07), ("transportProperties", "sigma", "-0.07", "positive")),
+    "fraction of two": Mistake(
+        "damBreak", entry("0/alpha.water", "internalField", "uniform 2"), ("alpha.water", "internalField", "holds 2", "from 0 to 1")),
+    "fraction below zero that flows in": Mistake(
+        "damBreak", entry("0/alpha.water", "boundaryField/atmosphere/inletValue", "uniform -1"),
+        ("alpha.water", "atmosphere", "inletValue", "holds -1", "from 0 to 1")),
+    "no number in a binary field": Mistake("damBreak", notANumber("U"), ("0/U", "internalField", "no number", "finite")),
+    "no number in the liquid": Mistake("floatingBody", notANumber("alpha.water"), ("0/alpha.water", "internalField", "no number", "finite")),
+    "step of zero": Mistake("damBreak", entry("system/controlDict", "deltaT", 0), ("controlDict", "deltaT", "is 0", "positive")),
+    "longest step of zero": Mistake("damBreak", entry("system/controlDict", "maxDeltaT", 0), ("controlDict", "maxDeltaT", "is 0", "positive")),
+    "end before the start": Mistake("damBreak", entry("system/controlDict", "endTime", -1), ("controlDict", "endTime", "is -1", "after the start")),
+    "library of a function object that is misspelt": Mistake(
+        "damBreak", entry("system/controlDict", "functions/bodyForces", "{ type plungeEvent; libs (plungeFunctionObjekts); event immersed; }"),
+        ("controlDict", "function object", "bodyForces", "libs")),
 }
 
 if int(os.environ["FOAM_API"]) < 2006:
@@ -173,3 +225,65 @@ def test_goodInput(case: str, cases: Dict[str, Path]) -> None:
     good = copy(cases[case], f"good-{case}")
     scene(f"boundaryLayer {'frictionLine' if case == 'damBreak' else 'wallFunction'};")(good)
     assert steps(foam("plungeFoam", case=good, log="log.solver"))
+
+
+# --- restarts ------------------------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def written(cases: Dict[str, Path]) -> Path:
+    """A run of a body on an overset mesh that has written a time."""
+    case = copy(cases["floatingBody"], "written")
+    setEntry(case, "system/controlDict", "writeControl", "timeStep")
+    setEntry(case, "system/controlDict", "writeInterval", 1)
+    foam("plungeFoam", case=case, log="log.solver")
+    setEntry(case, "system/controlDict", "startFrom", "latestTime")
+    setEntry(case, "system/controlDict", "endTime", 0.002)
+    return case
+
+
+@pytest.mark.parametrize("lost", ["polyMesh", "uniform", "uniform/sixDoFRigidBodyMotionState", "uniform/time", "phi", "Uf"])
+def test_restartWithoutAFile(lost: str, written: Path) -> None:
+    case = copy(written, "without-" + lost.replace("/", "-"))
+    for path in (case / "0.001").glob(f"{lost}*"):
+        shutil.rmtree(path) if path.is_dir() else path.unlink()
+    named = "uniform/time" if lost == "uniform" else lost
+    checkRefused("plungeFoam", case, ("0.001", "lacks", named, "Expected"))
+
+
+def test_restart(written: Path) -> None:
+    """With all files it goes on; without any that only a run writes the fields are those of a first start."""
+    assert steps(foam("plungeFoam", case=copy(written, "whole"), log="log.solver")) == ["0.002"]
+    anew = copy(written, "anew")
+    for name in ("phi", "Uf", "uniform", "polyMesh"):
+        for path in (anew / "0.001").glob(f"{name}*"):
+            shutil.rmtree(path) if path.is_dir() else path.unlink()
+    assert steps(foam("plungeFoam", case=anew, log="log.solver")) == ["0.002"]
+
+
+# --- while it runs -------------------------------------------------------------
+
+
+def test_pressureThatIsNotSolved(cases: Dict[str, Path]) -> None:
+    """It is told once; where nothing of it is solved the run stops, with its fields."""
+    case = copy(cases["damBreak"], "unsolved")
+    setEntry(case, "system/controlDict", "endTime", 0.02)
+    setEntry(case, "system/fvSolution", "solvers/p_rghFinal/maxIter", 2)
+    log = foam("plungeFoam", case=case, log="log.solver")
+    assert log.count("    Note: p_rgh was not solved: its solver DICPCG stopped after 2 iterations") == 1 and log.rstrip().endswith("End")
+
+
+def test_diskThatIsFull(cases: Dict[str, Path]) -> None:
+    case = copy(cases["damBreak"], "full")
+    setEntry(case, "system/controlDict", "writeControl", "timeStep")
+    setEntry(case, "system/controlDict", "writeInterval", 1)
+    done = run("bash", "-c", "trap '' XFSZ; ulimit -f 4; exec plungeFoam", case=case)
+    assert done.returncode != 0 and "could not be written" in done.stdout and "room on the disk" in done.stdout, done.stdout[-2000:]
+
+
+def test_heavierFluidAbove(cases: Dict[str, Path]) -> None:
+    """Allowed, and noted."""
+    case = copy(cases["damBreak"], "above")
+    assert "lies above" not in foam("plungeFoam", case=case, log="log.solver")
+    setEntry(case, "constant/g", "value", "(0 9.81 0)")
+    assert "Note: The heavier fluid, water, lies above the lighter one at the start" in foam("plungeFoam", case=case, log="log.solver")

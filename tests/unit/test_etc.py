@@ -210,6 +210,64 @@ def test_bashrcFromAnyDirectory(repository: Path, tmp_path: Path) -> None:
     assert done.stdout.strip() == str(repository), done.stderr
 
 
+@pytest.mark.parametrize("shell", ["bash", "zsh"])
+def test_bashrcThroughALinkToIt(repository: Path, tmp_path: Path, shell: str) -> None:
+    if not shutil.which(shell):
+        pytest.skip(f"no {shell} on this machine")
+    (tmp_path / "plungerc").symlink_to(repository / "etc/bashrc")
+    (tmp_path / "second").symlink_to(tmp_path / "plungerc")
+    done = subprocess.run([shell, "-ec", f'. "{tmp_path}/second"; echo "$PLUNGE_DIR"'], capture_output=True, text=True)
+    assert done.stdout.strip() == str(repository), done.stderr
+
+
+@pytest.mark.parametrize("script", ["Allwmake", "Alltest", "Allrun", "Allclean", "etc/prepare"])
+def test_scriptsThroughALink(repository: Path, tmp_path: Path, script: str) -> None:
+    """They find what they are part of; none of these does more than to say its usage."""
+    (tmp_path / "link").symlink_to(repository / script)
+    done = subprocess.run([tmp_path / "link", "-h"], capture_output=True, text=True)
+    assert done.returncode == 0 and done.stdout.startswith("Usage: "), done.stderr
+    assert "dirname \"${BASH_SOURCE" not in (repository / script).read_text()
+
+
+def runFunction(repository: Path, command: str, **variables: str) -> str:
+    """Output of a command in a shell that has etc/runFunctions."""
+    done = subprocess.run(["bash", "-euc", f'. "{repository}/etc/runFunctions"; {command}'], capture_output=True, text=True,
+                          env={**os.environ, **variables})
+    assert done.returncode == 0, done.stderr
+    return done.stdout.strip()
+
+
+def test_latestTimeInAnyLocale(repository: Path, tmp_path: Path) -> None:
+    """Where numbers have commas, sort -g takes 5e-05 for 5 and 0.0105 for 0."""
+    for name in ("0", "5e-05", "0.0105", "constant"):
+        (tmp_path / name).mkdir()
+    tools = tmp_path / "bin"
+    tools.mkdir()
+    # A machine need not have such a locale: this sort knows one
+    (tools / "sort").write_text('#!/bin/bash\n[ "${LC_ALL:-}" = C ] && exec /usr/bin/sort "$@"\n/usr/bin/sort -t. -k1,1g\n')
+    (tools / "sort").chmod(0o755)
+    path = f"{tools}:{os.environ['PATH']}"
+    assert subprocess.run(["sort", "-g"], input="0.0105\n5e-05\n0\n", capture_output=True, text=True,
+                          env={**os.environ, "PATH": path, "LC_ALL": "de_DE.UTF-8"}).stdout.split()[-1] == "5e-05"
+    assert runFunction(repository, f'latestTime "{tmp_path}"', PATH=path, LC_ALL="de_DE.UTF-8") == "0.0105"
+
+
+@pytest.mark.parametrize("lines, cause", [
+    (["a.C:1:1: error: 'x' was not declared"]*20000, "an error in the source:"),
+    (["make: *** [a.o] Killed signal terminated program cc1plus"] + ["In file included from"]*20000, "out of memory"),
+    (["nothing that is known"]*20000, "not recognised"),
+])
+def test_causeOfALongFailure(repository: Path, tmp_path: Path, lines: list, cause: str) -> None:
+    """However much the compiler says, and whether it is English or not."""
+    log = tmp_path / "log"
+    log.write_text("\n".join(lines) + "\n")
+    done = subprocess.run(["bash", "-c", f'set -euo pipefail; . "{repository}/etc/buildDiagnosis"; showOutput "{log}" >&2; '
+                           f'explainFailure "{log}" wmake >&2'], capture_output=True, text=True)
+    assert done.returncode == 0 and "Likely cause:" in done.stderr and cause in done.stderr, done.stderr[-500:]
+    assert len(done.stderr.splitlines()) < 100
+    assert "export LC_ALL=C" in (repository / "Allwmake").read_text()
+
+
 def bareEnvironment(**variables: str) -> dict:
     """No OpenFOAM is sourced."""
     kept = {key: value for key, value in os.environ.items() if not key.startswith(("WM_", "FOAM_", "PLUNGE_"))}

@@ -188,7 +188,7 @@ def test_surface_lies_where_the_dive_starts(case: Path) -> None:
     (["-set", "body.mass=-1"], "entry 'body.mass' is -1; expected a number above 0"),
     (["-set", "entry.angel=60"], "unknown entry 'entry.angel'"),
     (["-set", "entry.angle=-60"], "entry 'entry.angle' is -60, so that the body does not come down"),
-    (["-set", "entry.gap=1e-5", "-set", "body.shape.thicknessRatio=0.4"], "but the body reaches"),
+    (["-set", "entry.gap=0"], "entry 'entry.gap' is 0; expected a number above 0"),
     (["-set", "body.freedom=planar", "-set", "entry.sideslip=20"], "entry 'entry.sideslip' moves the body in a way that freedom planar does not"),
     (["-set", "body.freedom=planar", "-set", "entry.spin=(1 0 0)"], "entry 'entry.spin' moves the body in a way that freedom planar does not"),
     (["-set", "body.momentOfInertia=(1e-9 1e-9 1)"], "expected moments of which none exceeds the sum of the others"),
@@ -196,6 +196,14 @@ def test_surface_lies_where_the_dive_starts(case: Path) -> None:
     (["-set", "body.mass=0_59"], "entry 'body.mass' is 0_59; expected a number above 0"),
     (["-resolution", "16", "-tier", "fine"], "cells; expected 2e+08 at most"),
     (["-run", "run/it's"], "expected a path of letters, digits and"),
+    (["-run", "run x/a"], "expected a path of letters, digits and"),
+    (["-set", "entry.speed=inf"], "entry 'entry.speed' is inf; expected a number, 0 or above"),
+    (["-set", "entry.speed=nan"], "entry 'entry.speed' is nan; expected a number, 0 or above"),
+    (["-set", "entry.speed=1_0"], "entry 'entry.speed' is 1_0; expected a number, 0 or above"),
+    (["-set", "entry.spin=(0 inf 0)"], "entry 'entry.spin' is (0 inf 0); expected three numbers"),
+    (["-set", "entry.speed=10; until immersed"], "entry 'entry.speed' is"),
+    (["-set", "travel=1e9", "-mesh", "single"], "time steps; expected 1e+08 at most"),
+    (["-set", "travel=1e9", "-method", "particles"], "at most"),
     (["-set", "body.freedom=fixed"], "entry 'body.freedom' is fixed, but the body has a speed or a spin"),
     (["-set", "body.centreOfMass=1.2"], "entry 'body.centreOfMass' is 1.2; expected metres aft of the nose, inside the body"),
     (["-set", "body.shape.type=cube"], "entry 'shape.type' is cube; expected one of: NACA"),
@@ -344,6 +352,18 @@ def test_particles_take_steps_of_half_the_smoothing_length_over_the_speed_of_sou
     g = particles(case)
     step = 0.5 * 1.5 * g["particleSpacing"] / (g["particleSoundSpeed"] + 25)
     assert g["estimatedSteps"] == pytest.approx(g["diveDuration"] / step, abs=5.1)
+
+
+@pytest.mark.parametrize("angle, ratio", [(75, 0.1), (20, 0.1), (30, 0.4), (90, 0.1)])
+def test_gap_is_that_of_the_lowest_point(angle: float, ratio: float) -> None:
+    """At a flat angle, or of a thick body, that is far from the nose."""
+    found = generated(entry__angle=angle, entry__gap=0.01, body__shape__thicknessRatio=ratio)
+    points, _ = NACA(1.0, ratio).surface()
+    aft, side, dorsal = points.T
+    heights = found["nosePosition"][2] - aft * found["forward"][2] + dorsal * found["dorsal"][2]
+    assert heights.min() == pytest.approx(0.01, abs=1e-9)
+    # So far above the nose that a gap of the nose would have put it into the liquid
+    assert (heights[0] > 0.02) == (angle < 75)
 
 
 # --- what is modelled --------------------------------------------------------
@@ -524,7 +544,26 @@ def test_free_stream_is_quiet_and_goes_with_speed_and_length() -> None:
     assert (k / found["freeStreamK"], omega / found["freeStreamOmega"]) == pytest.approx((4, 0.5))
 
 
+def test_any_entry_can_be_set(case: Path) -> None:
+    """Lists and dictionaries, too."""
+    done = plungeCase(case, "-run", "run/a", "-set", "entry.spin=(0 1 0)", "-set", "body.centreOfMass=(0.08 0 0)",
+                      "-set", "body.shape={ type sphere; radius 0.1; }", "-set", "fluids={ liquid water; gas earthAir; }")
+    assert done.returncode == 0 and "sphere of 0.2 m" in done.stderr, done.stderr
+    scene = foamDictionary.read(case / "run/a/constant/scene")
+    assert scene["body"]["shape"] == {"type": "sphere", "radius": 0.1} and scene["entry"]["spin"] == [0, 1, 0]
+
+
 # --- run directories ---------------------------------------------------------
+
+
+def test_two_at_once_make_one_run_directory(case: Path) -> None:
+    """Of two that start together one makes it, and the other finds it made."""
+    both = [subprocess.Popen([TOOLS / "plungeCase", case, "-run", case / "run/a"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+            for _ in range(2)]
+    said = [process.communicate() for process in both]
+    assert [process.returncode for process in both] == [0, 0], said
+    assert {out.strip() for out, _ in said} == {str(case / "run/a")}
+    assert sorted(path.name for path in (case / "run/a").iterdir() if path.name.startswith(".")) == []
 
 
 def test_run_directory_is_kept_for_the_same_dive_and_refused_for_another(case: Path) -> None:

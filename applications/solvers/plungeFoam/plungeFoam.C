@@ -17,6 +17,7 @@ Description
 #include "profileTable.H"
 #include "profiling.H"
 #include "restart.H"
+#include "timeControls.H"
 #include "timeSelector.H"
 
 #include <malloc.h>
@@ -45,6 +46,7 @@ int main(int argc, char *argv[])
     #include "setRootCaseLists.H"
     #include "createTime.H"
     restart::begin(runTime);
+    checkTimeControls(runTime);
     #include "createDynamicFvMesh.H"
 
     #include "createFlow.H"
@@ -85,11 +87,17 @@ int main(int argc, char *argv[])
         {
             addProfiling(output, "output");
             const restart::unfinishedTime mark(runTime, runTime.writeTime());
-            runTime.write();
+            if (!runTime.write() && runTime.writeTime())
+            {
+                FatalErrorInFunction
+                    << "Time " << runTime.timeName() << " could not be written" << nl
+                    << "Expected: room on the disk, and a directory that this user may write to." << exit(FatalError);
+            }
         }
         runTime.printExecutionTime(Info);
     }
 
+    flow.finish();
     printProfile
     (
         Info,

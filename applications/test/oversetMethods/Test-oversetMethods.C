@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Unit tests of the overset methods: volumes that a closed surface covers, and
-// the compiler option that keeps v1912's field products right.
+// Unit tests of the overset methods: volumes that a closed surface covers.
 
 #include <gtest/gtest.h>
 
 #include "mathematicalConstants.H"
-#include "tensorField.H"
 #include "uniqueVolume.H"
 
 using namespace Foam;
@@ -230,19 +228,6 @@ TEST(UniqueVolume, SurfaceOutOfReachCoversNothing)
         sum(uniqueVolume::coveredVolume(grid(4), turnedBox(box, tensor::I))),
         0
     );
-}
-
-
-// With v1912's headers as they are, g++ -O3 gets y and z of this wrong
-TEST(CompilerOptions, TensorTimesTemporaryVectorIsRight)
-{
-    const tensorField T(64, tensor(1, 2, 3, 4, 5, 6, 7, 8, 10));
-    const vectorField product(T & tmp<vectorField>::New(64, vector(1, 2, 3)));
-
-    for (const vector& v : product)
-    {
-        EXPECT_EQ(v, vector(14, 32, 53));
-    }
 }
 
 // ************************************************************************* //

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import fcntl
 import re
 import shlex
 import shutil
@@ -33,6 +34,8 @@ _SHAPE_FILES = "constant/geometry"
 _SHOWN = 8  # of the entries that differ
 _BEGUN = ".plungeCase"  # of a set-up that was interrupted
 _MOST = 2e8     # cells or particles
+_LONGEST_JOB = 8760.0   # [h]
+_MOST_STEPS = 1e8   # of time: months, also of the smallest meshes
 
 OPTIONS = {
     "method": word(*decisions.METHODS),
@@ -118,6 +121,9 @@ def derive(path: Path, given: dict[str, Any] = {}) -> Case:
     case = _derived(path, given)
     if case.count > _MOST:
         raise ParameterError(f"{case.scene.file}: {case.count:.3g} {case.unit}; expected {_MOST:g} at most: a coarser tier or resolution, or a shape without such thin parts")
+    if not float(case.flat["estimatedSteps"]) <= _MOST_STEPS:
+        raise ParameterError(f"{case.scene.file}: {case.scene.duration:.3g} s are {float(case.flat['estimatedSteps']):.3g} time steps; expected "
+                             f"{_MOST_STEPS:g} at most: a shorter duration or travel, or an event, until")
     return case
 
 
@@ -249,6 +255,8 @@ def _write_scene(case: Case, run: Path, overrides: dict[str, Any]) -> None:
 
 def write_job(case: Case, run: Path, memory: float, hours: float) -> Path:
     """A batch script for Slurm in the run directory, which asks for this memory [MB] and time [h]."""
+    if hours > _LONGEST_JOB:
+        raise ParameterError(f"-batch: {hours:.3g} hours with room to spare; expected a year at most: a coarser tier, more cores or a shorter run")
     cores = case.options["cores"]
     tasks, threads = (1, cores) if case.options["method"] == "particles" else (cores, 1)
     text = (TEMPLATES / JOB).read_text()
@@ -280,13 +288,23 @@ def write(case: Case, run: Path, given: dict[str, Any]) -> bool:
     if run.exists() and any(run.iterdir()) and not (run / _BEGUN).exists():
         raise ParameterError(f"{run} holds other files; expected a new directory, or one that plungeCase has made")
     run.mkdir(parents=True, exist_ok=True)
-    (run / _BEGUN).touch()
+    with (run / _BEGUN).open("a") as begun:
+        # One at a time: another plungeCase may make the same directory
+        fcntl.flock(begun, fcntl.LOCK_EX)
+        if generated.exists():
+            (run / _BEGUN).unlink(missing_ok=True)
+            return write(case, run, given)
+        _make(case, run, given)
+        (run / _BEGUN).unlink()
+    return True
+
+
+def _make(case: Case, run: Path, given: dict[str, Any]) -> None:
+    """The files of the run directory."""
     _copy_case(case, run)
     _write_scene(case, run, parameters(given)[2])
     allrun = run / "Allrun"
     allrun.write_text(allrun.read_text().replace("@plungeDir@", str(TEMPLATES.parents[1])))
     allrun.chmod(0o755)
     # Its presence says that the set-up is complete, so it comes last.
-    foamDictionary.write(generated, NOTE, case.sections)
-    (run / _BEGUN).unlink()
-    return True
+    foamDictionary.write(run / GENERATED, NOTE, case.sections)

@@ -46,7 +46,7 @@ _EXCLUSIVE = (("entry.speed", "entry.drop"), ("entry.gap", "entry.depth"), ("dur
 _REPLACED = {**{name: pair for pair in _EXCLUSIVE for name in pair}, "until": ("duration", "travel")}
 _TOP = ("body", "fluids", "entry", *_END, *_OTHER)
 
-# Height of the lowest point above the surface at the start, in body scales, unless given
+# Gap: height of the lowest point above the surface at the start, in body scales, unless given
 _GAP = 0.01
 # Until an event, at most: way in body lengths beyond the gap
 _LONGEST = 4.0
@@ -177,8 +177,7 @@ class Scene:
         if "entry.depth" in self.given:
             centre = self.shape.centre @ self.place
             return np.array([0.0, 0.0, -self.given["entry.depth"]]) - centre
-        gap = self.given.get("entry.gap", _GAP * self.scale + self._below_nose)
-        return np.array([0.0, 0.0, gap])
+        return np.array([0.0, 0.0, self.given.get("entry.gap", _GAP * self.scale) + self._below_nose])
 
     @property
     def lowest(self) -> float:
@@ -433,9 +432,6 @@ def _check_consistency(scene: Scene) -> None:
         if scene.speed > 0 and scene.heading[2] >= 0:
             raise ParameterError(f"{source}: entry 'entry.angle' is {scene.angle:g}, so that the body does not come down; expected an "
                                  "angle above 0, or depth for a body that starts in the liquid")
-        if scene.lowest <= 0:
-            raise ParameterError(f"{source}: entry 'entry.gap' is {given['entry.gap']:g}, but the body reaches {scene._below_nose:.4g} m "
-                                 "below its nose; expected more than that, or depth for a body that starts in the liquid")
         if scene.freedom == "fixed":
             raise ParameterError(f"{source}: entry 'body.freedom' is fixed, but the body is above the liquid; expected depth")
         if scene.speed == 0 and scene.freedom == "prescribed":

@@ -5,6 +5,7 @@
 #include "inputChecks.H"
 #include "profiling.H"
 #include "restart.H"
+#include "timeControls.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -87,6 +88,14 @@ void Foam::freeSurfaceFlow::chooseTimeStep(Time& time)
 {
     addProfiling(timeStep, "time step");
 
+    if (time.timeIndex() == time.startTimeIndex())
+    {
+        checkFunctionObjects(time);
+    }
+    else
+    {
+        checkLastStep();
+    }
     renewAfterWrite();
 
     if (rDeltaT_.valid())
@@ -109,6 +118,7 @@ void Foam::freeSurfaceFlow::chooseTimeStep(Time& time)
 
     if (!control.lookupOrDefault<bool>("adjustTimeStep", false))
     {
+        checkFixedStep(Co);
         return;
     }
 

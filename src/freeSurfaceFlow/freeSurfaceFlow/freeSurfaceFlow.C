@@ -94,7 +94,7 @@ void Foam::freeSurfaceFlow::buoyancy::update(const fvMesh& mesh)
 
 Foam::freeSurfaceFlow::freeSurfaceFlow(dynamicFvMesh& mesh)
 :
-    mesh_(mesh),
+    mesh_(withCheckedInput(mesh)),
     time_(mesh.time()),
     scene_(mesh),
     pimple_(mesh),
@@ -185,7 +185,8 @@ Foam::freeSurfaceFlow::freeSurfaceFlow(dynamicFvMesh& mesh)
     nRepeats_(0),
     nUnbalanced_(0),
     worstBalance_(0),
-    worstTime_(0)
+    worstTime_(0),
+    guard_()
 {
     if (scene_.slips())
     {
@@ -240,6 +241,8 @@ Foam::freeSurfaceFlow::freeSurfaceFlow(dynamicFvMesh& mesh)
         turbulence_->validate();
     }
     reportScene(Info);
+    guard_.reset(new runGuard(mesh_, smallLoad()));
+    checkDiffusion();
 }
 
 
@@ -247,6 +250,10 @@ Foam::freeSurfaceFlow::freeSurfaceFlow(dynamicFvMesh& mesh)
 
 void Foam::freeSurfaceFlow::check()
 {
+    restart::check(mesh_, scene_.hasBody());
+    checkFluids();
+    checkCorrections();
+
     composite_.checkDonors();
     if (body_)
     {
@@ -272,6 +279,17 @@ void Foam::freeSurfaceFlow::check()
         for (const word name : {"maxCo", "maxAlphaCo"})
         {
             readPositive(time_.controlDict(), name, "a positive Courant number.");
+        }
+        const scalar largest = runGuard::largestCourant(nCorrections());
+        if (time_.controlDict().get<scalar>("maxCo") > largest)
+        {
+            refuseEntry
+            (
+                time_.controlDict(),
+                "maxCo",
+                text("is ", time_.controlDict().get<scalar>("maxCo"), ", but a step has one pressure correction"),
+                text("at most ", largest, ", or nCorrectors 2 in system/fvSolution.")
+            );
         }
     }
 }

@@ -89,8 +89,29 @@ void Foam::freeSurfaceFlow::reportScene(Ostream& os) const
         << (nu2 > 0 ? name(U*L/nu2) : "infinite") << " in " << phase2 << nl;
     reportBoundaryLayer(os, remarks, Re, U);
 
+    if (rho2 > rho1)
+    {
+        remarks.append(phase1 + ", the first of the phases, is lighter than " + phase2);
+    }
     if (g > 0)
     {
+        // Of the heavier and the lighter fluid, the height of the middle
+        const scalarField& V = mesh_.V().field();
+        const scalarField height(-(buoyancy_->gh.primitiveField())/g);
+        const scalarField heavy((rho1 > rho2 ? mixture_.alpha1() : mixture_.alpha2()).primitiveField()*V);
+        const scalarField light(V - heavy);
+        const scalar heavyVolume = gSum(heavy), lightVolume = gSum(light);
+        if
+        (
+            rho1 != rho2 && heavyVolume > SMALL*lightVolume && lightVolume > SMALL*heavyVolume
+         && gSum(heavy*height)/heavyVolume > gSum(light*height)/lightVolume
+        )
+        {
+            remarks.append
+            (
+                "The heavier fluid, " + (rho1 > rho2 ? phase1 : phase2) + ", lies above the lighter one at the start: it will fall"
+            );
+        }
         os  << "    Fr          : " << U/Foam::sqrt(g*L) << nl;
     }
     else if (mag(rho1 - rho2) > SMALL)

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "restart.H"
+#include "dynamicMotionSolverFvMesh.H"
+#include "FlatOutput.H"
 #include "IOdictionary.H"
 #include "OFstream.H"
+#include "pointIOField.H"
 #include "OSspecific.H"
 #include "PstreamReduceOps.H"
 #include "surfaceFields.H"
@@ -84,6 +87,58 @@ void Foam::restart::begin(Time& time)
     )
     {
         time.setTime(time.userTimeToTime(value), time.timeIndex());
+    }
+}
+
+
+void Foam::restart::check(const fvMesh& mesh, const bool hasBody)
+{
+    const Time& time = mesh.time();
+    if (mag(time.value()) < SMALL)
+    {
+        // Of a first start; phi may be there, from potentialFoam
+        return;
+    }
+
+    const auto state = [&](const word& name, const objectRegistry& registry)
+    {
+        return IOobject(name, time.timeName(), "uniform", registry).typeHeaderOk<IOdictionary>(true);
+    };
+    const auto flux = [&](const word& name, const bool isScalar)
+    {
+        IOobject io(name, time.timeName(), mesh);
+        return isScalar ? io.typeHeaderOk<surfaceScalarField>(true) : io.typeHeaderOk<surfaceVectorField>(true);
+    };
+
+    DynamicList<word> there, missing;
+    const auto sort = [&](const char* name, const bool isThere)
+    {
+        (returnReduce(isThere, andOp<bool>()) ? there : missing).append(name);
+    };
+    sort("phi", flux("phi", true));
+    sort("uniform/time", state("time", time));
+    const auto* moved = dynamic_cast<const dynamicFvMesh*>(&mesh);
+    if (moved && moved->dynamic())
+    {
+        sort("Uf", flux("Uf", false));
+    }
+    if (isA<dynamicMotionSolverFvMesh>(mesh))
+    {
+        IOobject points("points", time.timeName(), polyMesh::meshSubDir, mesh);
+        sort("polyMesh/points", points.typeHeaderOk<pointIOField>(true));
+    }
+    if (hasBody)
+    {
+        sort("uniform/sixDoFRigidBodyMotionState", state("sixDoFRigidBodyMotionState", mesh));
+    }
+
+    if (there.size() && missing.size())
+    {
+        FatalErrorInFunction
+            << "Time " << time.timeName() << " was written by a run, but lacks " << flatOutput(missing) << nl
+            << "Expected: beside " << flatOutput(there) << " all that the run goes on from. Remove the directory "
+            << time.timeName() << " to go on from the time before, or these files, too, to begin anew with its fields;"
+            << " decomposePar takes uniform along with -copyUniform." << exit(FatalError);
     }
 }
 

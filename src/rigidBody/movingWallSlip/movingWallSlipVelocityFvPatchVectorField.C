@@ -37,7 +37,15 @@ Foam::movingWallSlipVelocityFvPatchVectorField::movingWallSlipVelocityFvPatchVec
     movingWallSlipVelocityFvPatchVectorField(patch, field)
 {
     patchType() = dict.getOrDefault<word>("patchType", word::null);
-    *this == vectorField("value", dict, patch.size());
+    if (dict.found("value"))
+    {
+        *this == vectorField("value", dict, patch.size());
+    }
+    else
+    {
+        // At rest, until it moves
+        *this == vectorField(patch.size(), Zero);
+    }
 }
 
 

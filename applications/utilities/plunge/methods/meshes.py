@@ -26,8 +26,11 @@ _SINGLE_OUTER_LAYERS = {"half": 1.5, "full": 1.5, "axisymmetric": 1.5, "plane": 
 _SLENDER = 5.0
 # Spacing at the nose of a blunt body at most, over its largest radius: all of the forebody meets the liquid at once
 _BLUNT_SPACING = 0.125
-# Pressure corrections: the flow at the corners of blunt bodies wants a second one
+# Pressure corrections: the flow at the corners of blunt bodies wants a second one, and larger Courant numbers do; larger diffusion
+# numbers, for which the solver asks, a third
 _CORRECTIONS = {"half": 1, "full": 1, "axisymmetric": 2, "plane": 2}
+_COURANT = 1.0
+_DIFFUSION = 0.3
 
 
 @dataclass(frozen=True)
@@ -214,6 +217,10 @@ def sections(meshes: Meshes, decided: dict[str, Decision]) -> list[tuple[str, di
     limit = tier["maxDeltaT"] * scene.scale / speed / resolution
     time_step = min(0.45 * meshes.courant * tier["maxCo"] * body.finest / speed, limit)
 
+    viscosity = max(scene.fluids[f"{fluid}Viscosity"] / scene.fluids[f"{fluid}Density"] for fluid in ("liquid", "gas"))
+    corrections = max(_CORRECTIONS[meshes.model], 2 if meshes.courant * tier["maxCo"] > _COURANT else 1,
+                      3 if viscosity * limit > _DIFFUSION * body.first_layer * body.finest else 1)
+
     return [
         ("Body mesh", body.entries),
         *([("Background mesh", background.entries)] if background else []),
@@ -222,7 +229,7 @@ def sections(meshes: Meshes, decided: dict[str, Decision]) -> list[tuple[str, di
             "cores": meshes.cores, "estimatedCells": round(cells, -3) if cells > 1e4 else round(cells),
             "estimatedSteps": round(scene.duration / time_step, -1),
             "coresSplit": cores_split(meshes.cores, meshes.model in ("axisymmetric", "plane")),
-            "pressureCorrections": _CORRECTIONS[meshes.model],
+            "pressureCorrections": corrections,
             # Without one the added mass on a snapped mesh is 3 % too large
             "nonOrthogonalCorrections": int(meshes.curve is None),
             "diveDuration": scene.duration, "frameInterval": scene.duration / scene.frames,
