@@ -593,3 +593,22 @@ def test_wall_functions_are_refused_where_their_layer_is_thinner_than_the_mesh_i
 def test_numbers_are_finite() -> None:
     with pytest.raises(ParameterError, match="'entry.speed' is inf; expected a number, 0 or above"):
         generated(**{"entry.speed": float("inf")})
+
+
+@pytest.mark.parametrize("density, speed, deepest", [
+    (13280, 0.5, -0.3456),  # falls on, and faster
+    (1000, 5.0, -0.1115),   # as heavy as the water
+    (6.64, 0.5, -0.0281),   # turns round: the room of the straight path is enough
+])
+def test_roomForTheFall(density: float, speed: float, deepest: float) -> None:
+    """The background holds the way that gravity makes of it, and room about the body at its end."""
+    flat = generated(fluids="water", entry__speed=speed, body__shape__length=0.1, entry__gap=0.001, body__density=density)
+    assert flat["zMin"] < min(deepest, flat["pathEnd"][2]) - 0.1
+    assert flat["pathEnd"][2] <= deepest + 0.005
+
+
+def test_roomForARise() -> None:
+    """A light body that is let go in the liquid leaves it through the surface: up there is room, too."""
+    flat = generated(fluids="water", entry__speed=0.0, entry__depth=0.5, body__density=300, body__shape__length=0.1, duration=0.5,
+                   entry__angle=-90)
+    assert flat["pathEnd"][2] > 0.05 and flat["zMax"] > flat["pathEnd"][2] + 0.03
