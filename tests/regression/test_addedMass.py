@@ -82,13 +82,13 @@ def test_hinge(ratio: float, tmp_path: Path) -> None:
     a, b, run = planeBody.A, planeBody.B, tmp_path / "run"
     area = math.pi*a*b
     mass, inertia = ratio*area, ratio*area*(a*a + b*b)/4
-    planeBody.solve(run, "plungeFoam", (a, b), (12, 32), constrained(
+    planeBody.solve(run, "plungeFoam", (a, b), (24, 64), constrained(
         f"hinge {{ sixDoFRigidBodyMotionConstraint point; centreOfRotation ({-a} 0 0.5); }}"), mass=mass, momentOfInertia=f"(1 1 {inertia})",
-        velocity="(0 0 0)", angularMomentum="(0 0 0)", gravity="(0 -1 0)", end=0.1)
+        velocity="(0 0 0)", angularMomentum="(0 0 0)", gravity="(0 -1 0)", end=0.05)
     of = planeBody.track(run)
     exact = (1 - ratio)*area*a/(inertia + mass*a*a + math.pi*(a*a - b*b)**2/8 + math.pi*a*a*a*a)
     # The mesh's far boundary and its cells
-    assert of["omega3_rad_s"][1:] == pytest.approx(exact*of["time_s"][1:], rel=0.03)
+    assert of["omega3_rad_s"][1:] == pytest.approx(exact*of["time_s"][1:], rel=0.04)
     assert (of["x_m"] + a)**2 + of["y_m"]**2 == pytest.approx(a*a)
 
 

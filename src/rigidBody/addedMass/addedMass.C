@@ -279,11 +279,15 @@ void Foam::sixDoFSolvers::addedMass::solve
     }
     const matrix estimated(estimate(isFree));
 
-    // The body's own share in what it accelerates
+    // The square of the body's own share in what it accelerates
     matrix share(6, 6, Zero);
     for (label k = 0; k < 6; ++k)
     {
-        const scalarField column(solved(M + estimated, times(M, times(free, unit(k))), free));
+        scalarField column(times(free, unit(k)));
+        for (label power = 0; power < 2; ++power)
+        {
+            column = solved(M + estimated, times(M, column), free);
+        }
         for (label j = 0; j < 6; ++j)
         {
             share(j, k) = column[j];
