@@ -15,7 +15,7 @@ namespace
 using namespace Foam;
 
 //- A time step in which nothing moves, that integrators can divide by [s]
-constexpr scalar instant = VSMALL;
+constexpr scalar noStep = VSMALL;
 
 //- All that sixDoFRigidBodyMotion and its mesh motion solver read
 const wordHashSet keywords
@@ -194,7 +194,7 @@ void Foam::freeBody::endLastStep(const vector& total, const vector& about)
     }
     const sixDoFRigidBodyMotionState last(motion_.state());
     motion_.newTime();
-    motion_.update(true, total, about, instant, 0);
+    motion_.update(true, total, about, noStep, 0);
     const vector a(motion_.state().a()), tau(motion_.state().tau());
     sixDoFRigidBodyMotionState& s = motionState();
     s = last;
@@ -234,7 +234,7 @@ Foam::bodyAcceleration Foam::freeBody::accelerationUnder(const vector& force, co
     const vector omega(motion_.omega());
     const vector total(force + motion_.mass()*g_.value());
     motion_.newTime();
-    motion_.update(true, total, moment + (motion_.momentArm() ^ total), instant, 0);
+    motion_.update(true, total, moment + (motion_.momentArm() ^ total), noStep, 0);
     const vector linear(freeTranslation_ & motion_.state().a());
     const vector torque(freeRotation_ & motion_.state().tau());
     motionState() = now;
