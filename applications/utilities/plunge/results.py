@@ -390,8 +390,8 @@ class Scene:
 
 
 def read_scene(case: Path) -> Scene:
-    """What the log says under Scene, at the latest start, and every note of all starts, also those of the run; empty where it
-    says nothing or is not kept."""
+    """What the log says under Scene, at the latest start, with the notes of all runs on what they have shown (under Run, at a run's end);
+    empty where it says nothing or is not kept."""
     if not (case / f"log.{solver_name(case)}").is_file():
         return Scene()
     log = solver_log(case)
@@ -399,7 +399,9 @@ def read_scene(case: Path) -> Scene:
     if not blocks:
         return Scene()
     models = re.search(r"^    models +: (.+)", blocks[-1], re.M)
-    return Scene(models[1].strip() if models else "", tuple(dict.fromkeys(re.findall(r"^ *Note: (.*\S)", log, re.M))))
+    # What a run has shown holds for all that went before, too
+    shown = re.findall(r"^(?:Run\n +)?Note: (.*\S)", log, re.M)
+    return Scene(models[1].strip() if models else "", tuple(dict.fromkeys([*shown, *re.findall(r"^    Note: (.*\S)", blocks[-1], re.M)])))
 
 
 def particle_counts(case: Path) -> tuple[int, int]:
