@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A body that the fluid's reaction outweighs, on a wall that moves and slips."""
 import math
+import re
 import shutil
 from pathlib import Path
 
@@ -69,7 +70,7 @@ def newton(track: np.ndarray, mass: float, gravity: float) -> np.ndarray:
     return (abs(mass*track["ay_m_s2"] - force)/np.maximum(abs(force), abs(mass*track["ay_m_s2"])))[1:]
 
 
-@pytest.mark.parametrize("ratio", (0.0015, 0.01, 0.8, 10.0))
+@pytest.mark.parametrize("ratio", (0.0015, 0.1, 0.8))
 def test_newton(ratio: float, tmp_path: Path) -> None:
     """Force and change of momentum agree to 1 % at each step."""
     track = release(tmp_path / "run", "plungeFoam", ratio, (8, 16), 0.2)
@@ -87,8 +88,10 @@ def test_hinge(ratio: float, tmp_path: Path) -> None:
         velocity="(0 0 0)", angularMomentum="(0 0 0)", gravity="(0 -1 0)", end=0.05)
     of = planeBody.track(run)
     exact = (1 - ratio)*area*a/(inertia + mass*a*a + math.pi*(a*a - b*b)**2/8 + math.pi*a*a*a*a)
-    # The mesh's far boundary and its cells
-    assert of["omega3_rad_s"][1:] == pytest.approx(exact*of["time_s"][1:], rel=0.04)
+    # The mesh's cells; and the fluid feels less than all of the first step, from rest
+    rate = np.diff(of["omega3_rad_s"])/np.diff(of["time_s"])
+    assert rate[2:] == pytest.approx(exact, rel=0.04)
+    assert rate[:2] == pytest.approx(exact, rel=0.12)
     assert (of["x_m"] + a)**2 + of["y_m"]**2 == pytest.approx(a*a)
 
 
@@ -108,3 +111,20 @@ def test_restartOnALine(form: str, tmp_path: Path) -> None:
     again = np.genfromtxt(run / "postProcessing/trajectory/0.05/trajectory.csv", delimiter=",", names=True)
     for column in ("x_m", "y_m", "vx_m_s", "vy_m_s"):
         np.testing.assert_array_equal(again[column][1:], whole[column][-len(again) + 1:])
+
+
+def test_massOfASlice(tmp_path: Path) -> None:
+    """The body's density over the fluid's, on a mesh in the plane whose sides are empty, or slip."""
+    release(tmp_path / "run", "plungeFoam", 0.5, (8, 16), 0.01)
+    run = copy(tmp_path / "run", "slip")
+    shutil.rmtree(run / "0.01")
+    boundary = run / "constant/polyMesh/boundary"
+    boundary.write_text(boundary.read_text().replace("empty", "patch"))
+    for field, kind in {"U": "slip", "p_rgh": "zeroGradient", "alpha.fluid": "zeroGradient", "pointDisplacement": "slip"}.items():
+        path = run / "0" / field
+        path.write_text(path.read_text().replace("empty;", f"{kind};"))
+    for case in (tmp_path / "run", run):
+        log = foam("plungeFoam", case=case) if case == run else (case / "log.plungeFoam").read_text()
+        found = re.search(r"mass +: body/displaced fluid (\S+)", log)
+        # Of a circle of 32 sides
+        assert found and float(found[1]) == pytest.approx(0.5, rel=0.01), case

@@ -14,6 +14,10 @@ constexpr Foam::scalar tolerance = 0.01;
 //- A step is solved this often at most
 constexpr Foam::label most = 12;
 
+//- Bodies of more than this density, over the liquid's, are left to one pass: that their acceleration is that of the forces of the
+//  step before is an error of the time step, as others are
+constexpr Foam::scalar light = 0.9;
+
 } // End anonymous namespace
 
 
@@ -22,6 +26,11 @@ constexpr Foam::label most = 12;
 bool Foam::freeSurfaceFlow::repeatStep()
 {
     if (!body_ || body_->isPrescribed())
+    {
+        return false;
+    }
+    const scalar heaviest = max(mixture_.rho1(), mixture_.rho2()).value();
+    if (body_->mass() > light*heaviest*mag(body_->enclosedVolume()))
     {
         return false;
     }
