@@ -228,37 +228,41 @@ void Foam::freeSurfaceFlow::correctPressure()
 
         // In a closed domain the fluid that the interpolation between zones
         // makes or takes has nowhere to go: the cell that is the reference
-        // would be its source. It is spread over the flow, the reference then
-        // being like any other cell after a few solutions
+        // would be its source. It is spread over the flow. That source is
+        // linear in what is spread, so that two more solutions make it zero
         if (composite_.isOverset() && p_rgh_.needReference())
         {
             const scalarField calculated(composite_.calculatedCells()*mesh_.V().field());
-            const scalar volume = gSum(calculated);
-            scalarField divergence(mesh_.nCells(), Zero);
-            scalar first = 0;
-            for (label pass = 0; pass < 5; ++pass)
+            const auto source = [&](const scalar spread)
             {
-                const scalarField div
+                const scalarField div(fvc::div(phiHbyA - p_rghEqn.flux())().primitiveField());
+                return returnReduce
                 (
-                    fvc::div(phiHbyA - p_rghEqn.flux())().primitiveField() - divergence
+                    pRefCell_ == -1 ? 0 : (div[pRefCell_] - spread)*mesh_.V()[pRefCell_],
+                    sumOp<scalar>()
                 );
-                scalar source =
-                    pRefCell_ == -1 ? 0 : div[pRefCell_]*mesh_.V()[pRefCell_];
-                reduce(source, sumOp<scalar>());
-                first = max(first, mag(source));
-                if (mag(source) <= 1e-3*first)
-                {
-                    break;
-                }
-                divergence += source/volume;
-
+            };
+            const auto solveWith = [&](const scalar spread)
+            {
                 p_rghEqn =
                     fvScalarMatrix
                     (
                         fvm::laplacian(rAUf, p_rgh_) == fvc::div(phiHbyA)
                     );
-                p_rghEqn.source() -= divergence*calculated;
+                p_rghEqn.source() -= spread*calculated;
                 solvePressure();
+            };
+
+            const scalar volume = gSum(calculated);
+            const scalar first = source(0);
+            if (mag(first) > SMALL*volume)
+            {
+                const scalar guess = first/volume;
+                solveWith(guess);
+                const scalar slope = (first - source(guess))/guess;
+
+                // Zones that overlap too little leave it where it is
+                solveWith(slope > 0.1*volume ? first/slope : 0);
             }
         }
 

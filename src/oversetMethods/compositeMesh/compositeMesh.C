@@ -83,7 +83,8 @@ Foam::compositeMesh::compositeMesh(const fvMesh& mesh)
     // The mesh loads its stencil, but fills it only when it first moves
     const_cast<cellCellStencilObject&>(Stencil::New(mesh_)).update();
 
-    doNotInterpolate({masks_->cell.name()});
+    // The last two only as they are written
+    doNotInterpolate({masks_->cell.name(), "cellTypes", "zoneID"});
     setCellMask();
     setInterpolations();
     masks_->cell.oldTime();
