@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "restart.H"
-#include "dynamicMotionSolverFvMesh.H"
+#include "dynamicFvMesh.H"
+#include "fileOperation.H"
 #include "FlatOutput.H"
 #include "IOdictionary.H"
+#include "motionSolver.H"
 #include "OFstream.H"
-#include "pointIOField.H"
 #include "OSspecific.H"
 #include "PstreamReduceOps.H"
 #include "surfaceFields.H"
@@ -122,10 +123,10 @@ void Foam::restart::check(const fvMesh& mesh, const bool hasBody)
     {
         sort("Uf", flux("Uf", false));
     }
-    if (isA<dynamicMotionSolverFvMesh>(mesh))
+    if (mesh.lookupClass<motionSolver>().size())
     {
-        IOobject points("points", time.timeName(), polyMesh::meshSubDir, mesh);
-        sort("polyMesh/points", points.typeHeaderOk<pointIOField>(true));
+        const IOobject points("points", time.timeName(), polyMesh::meshSubDir, mesh);
+        sort("polyMesh/points", !fileHandler().filePath(points.objectPath()).empty());
     }
     if (hasBody)
     {
