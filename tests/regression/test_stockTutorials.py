@@ -12,7 +12,7 @@ import pytest
 from plunge.results import CaseError
 from plunge.studies import stockCases
 from plunge.studies.foamFields import readCells
-from tutorials import foam, setEntry
+from tutorials import foam, run, setEntry
 
 
 @pytest.fixture(scope="session")
@@ -65,6 +65,19 @@ def test_postProcess(tmp_path: Path) -> None:
     assert "Time = 0\n" in subprocess.run(["plungeFoam", "-postProcess", "-func", "mag(U)"], cwd=case, text=True, stdout=subprocess.PIPE,
                                           env={**os.environ, "PWD": str(case)}).stdout
     assert readCells(case / "0/mag(U)").max() > 1
+
+
+def test_tablesOfARunAreKept(tmp_path: Path) -> None:
+    """Function objects that go with the steps of a run refuse -postProcess, which would write over their tables."""
+    case = stockCases.setUp("interFoam/laminar/damBreak/damBreak", tmp_path / "case")
+    stockCases.override(case, "system/controlDict",
+                        "functions { ledger { type volumeLedger; libs (plungeFunctionObjects); bodyVolume 1; } }")
+    foam("plungeFoam", case=case)
+    table = next(case.glob("postProcessing/ledger/*/volumeLedger.csv"))
+    before = table.read_text()
+    done = run("plungeFoam", "-postProcess", case=case)
+    assert done.returncode and "goes with the steps of a run" in done.stdout, done.stdout[-2000:]
+    assert table.read_text() == before
 
 
 def test_localTimeSteps(stock: Path, tmp_path: Path) -> None:

@@ -73,8 +73,8 @@ REMARKS = {
     "interFoam/RAS/angledDuct": "without the scalar s, which the stock solver does not carry with the liquid",
     "interFoam/RAS/waterChannel": "without the scalar s, which the stock solver does not carry with the liquid",
     "interIsoFoam/standingWave": "nCorrectors 1 in both",
-    **{f"interFoam/laminar/waves/{name}": "OpenFOAM's wave model reads freed memory, and any solver may crash by it at the start: once more"
-       for name in ("solitary", "solitaryGrimshaw", "solitaryMcCowan")},
+    **{f"interFoam/laminar/waves/{name}": "OpenFOAM's wave model reads freed memory; runs, of either solver, that crash or are elsewhere by it are repeated"
+       for name in ("mangroveInteraction", "solitary", "solitaryGrimshaw", "solitaryMcCowan")},
 }
 
 
@@ -185,7 +185,8 @@ def setUp(tutorial: str, directory: Path) -> Path:
 
 
 def solve(tutorial: str, case: Path, program: Path) -> None:
-    """Runs a solver. OpenFOAM v1912's solitary waves read memory that they have freed, and may crash by it, in any solver: once more."""
+    """Runs a solver. OpenFOAM v1912's solitary waves read their place x0, here 0, from memory that they have freed, in any solver: they are
+    elsewhere now and then, or crash. Then once more."""
     control = case / CONTROL
     control.write_text(re.sub(r"^(application\s+)\w+\s*;", rf"\g<1>{program.name};", control.read_text(), flags=re.M))
     log = case / f"log.{program.name}"
@@ -194,9 +195,10 @@ def solve(tutorial: str, case: Path, program: Path) -> None:
             status = subprocess.run([str(program)], cwd=case, env={**os.environ, "PWD": str(case)}, stdout=output,
                                     stderr=subprocess.STDOUT).returncode
         said = log.read_text()
-        if not status:
+        place = re.search(r"^ +x0: (\S+)$", said, re.M)
+        if not status and (not place or abs(float(place[1])) < 1e-9):
             return
-        if "solitaryWaveModel" not in said:
+        if not place and "solitaryWaveModel" not in said:
             break
     raise RuntimeError(f"{tutorial}: {program.name} failed:\n{said[max(said.rfind('FOAM FATAL'), len(said) - 2000):]}")
 
