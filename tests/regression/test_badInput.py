@@ -10,6 +10,7 @@ from typing import Callable, Dict, NamedTuple, Tuple
 import pytest
 
 from tutorials import checkRefused, copy, foam, run, setEntry, setUp, steps
+from plunge.studies.particleRuns import override
 
 MOTION = "constant/dynamicMeshDict"
 COEFFS = "sixDoFRigidBodyMotionCoeffs"
@@ -271,6 +272,34 @@ def test_pressureThatIsNotSolved(cases: Dict[str, Path]) -> None:
     setEntry(case, "system/fvSolution", "solvers/p_rghFinal/maxIter", 2)
     log = foam("plungeFoam", case=case, log="log.solver")
     assert log.count("    Note: p_rgh was not solved: its solver DICPCG stopped after 2 iterations") == 1 and log.rstrip().endswith("End")
+
+
+CIRCLE = """body { shape { type circle; radius 0.05; } density 500; freedom planar; }
+fluids { liquid water; gas earthAir; liquidViscosity 100; gasViscosity 1.8; }
+entry { speed 3; angle 90; } duration 0.02; frames 1;
+"""
+
+
+def test_loadsThatFlip(tmp_path: Path) -> None:
+    """A body in a fluid 1e5 times as viscous as water: three pressure corrections, which plungeCase takes, follow; two do not, and are
+    refused, or, where the step is short at first only, told, in the summary too."""
+    (tmp_path / "circle").write_text(CIRCLE)
+    circle = tmp_path / "run"
+    foam("plungeCase", "circle", "-np", 1, "-resolution", 0.5, "-run", circle, case=tmp_path)
+    foam(circle / "Allrun", "-setUp", case=circle)
+    log = foam("plungeFoam", case=copy(circle, "three"), log="log.plungeFoam")
+    assert "    Note: " in log and "\nRun\n" not in log
+    two = copy(circle, "two")
+    override(two, "system/fvSolution", "PIMPLE { nCorrectors 2; }")
+    checkRefused("plungeFoam", copy(two, "refused"), ("fvSolution", "nCorrectors", "is 2", "diffusion number"))
+    override(two, "system/controlDict", "deltaT 1e-6;")
+    done = run("plungeFoam", case=two, log="log.plungeFoam")
+    assert done.stdout.count("    Note: The diffusion number is") == 1
+    assert done.stdout.count("    Note: The load on the walls flips from step to step") == 1
+    # Lost or not within so short a time, it is in the summary
+    foam("plungePost", "-noPictures", case=two)
+    summary = (two / "results/summary.csv").read_text()
+    assert "The load on the walls flips" in summary and "The diffusion number is" in summary
 
 
 def test_diskThatIsFull(cases: Dict[str, Path]) -> None:

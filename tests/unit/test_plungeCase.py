@@ -555,6 +555,14 @@ def test_any_entry_can_be_set(case: Path) -> None:
     assert scene["body"]["shape"] == {"type": "sphere", "radius": 0.1} and scene["entry"]["spin"] == [0, 1, 0]
 
 
+@pytest.mark.parametrize("overrides, corrections", [
+    ({}, 1), ({"tier__maxCo": 5}, 2), ({"model": "full"}, 1),
+    ({"fluids": {"liquid": "water", "gas": "earthAir", "liquidViscosity": 1000}}, 3),
+])
+def test_pressure_corrections_follow_from_courant_and_diffusion_number(overrides: dict, corrections: int) -> None:
+    assert generated(**overrides)["pressureCorrections"] == corrections
+
+
 # --- run directories ---------------------------------------------------------
 
 

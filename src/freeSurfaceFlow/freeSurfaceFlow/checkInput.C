@@ -240,7 +240,7 @@ void Foam::freeSurfaceFlow::checkCorrections() const
 void Foam::freeSurfaceFlow::checkDiffusion() const
 {
     const label n = pimple_.dict().getOrDefault<label>("nCorrectors", 1);
-    const scalar D = guard_->diffusionNumber(mixture_.nu()().primitiveField());
+    const scalar D = diffusionNumber();
     if (D > runGuard::largestDiffusion(n))
     {
         refuseEntry

@@ -20,13 +20,20 @@ Foam::scalar Foam::freeSurfaceFlow::smallLoad() const
 }
 
 
+Foam::scalar Foam::freeSurfaceFlow::diffusionNumber() const
+{
+    const scalar heavier = max(mixture_.rho1().value(), mixture_.rho2().value());
+    return guard_->diffusionNumber(mixture_.nu()().primitiveField()*rho_.primitiveField()/heavier);
+}
+
+
 void Foam::freeSurfaceFlow::checkLastStep()
 {
     checkCorrections();
     guard_->checkSolvers();
     guard_->checkDiffusion
     (
-        guard_->diffusionNumber(mixture_.nu()().primitiveField()),
+        diffusionNumber(),
         pimple_.dict().getOrDefault<label>("nCorrectors", 1)
     );
 

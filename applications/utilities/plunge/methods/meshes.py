@@ -217,7 +217,7 @@ def sections(meshes: Meshes, decided: dict[str, Decision]) -> list[tuple[str, di
     limit = tier["maxDeltaT"] * scene.scale / speed / resolution
     time_step = min(0.45 * meshes.courant * tier["maxCo"] * body.finest / speed, limit)
 
-    viscosity = max(scene.fluids[f"{fluid}Viscosity"] / scene.fluids[f"{fluid}Density"] for fluid in ("liquid", "gas"))
+    viscosity = max(scene.fluids["liquidViscosity"], scene.fluids["gasViscosity"]) / scene.fluids["liquidDensity"]
     corrections = max(_CORRECTIONS[meshes.model], 2 if meshes.courant * tier["maxCo"] > _COURANT else 1,
                       3 if viscosity * limit > _DIFFUSION * body.first_layer * body.finest else 1)
 
