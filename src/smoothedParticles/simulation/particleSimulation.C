@@ -243,7 +243,7 @@ void Foam::smoothedParticles::particleSimulation<dim>::noteParticlesInWalls()
     if (deepest > max(0.5, 2*deepestNoted_))
     {
         deepestNoted_ = deepest;
-        Info<< "    Note: At " << time_.value() << " s the springs of contact let " << label(inWalls.n)
+        Info<< "Run" << nl << "    Note: At " << time_.value() << " s the springs of contact let " << label(inWalls.n)
             << " particles behind the surfaces of walls, the deepest by " << deepest << " spacings." << endl;
     }
 }
