@@ -52,7 +52,7 @@ def of(nose: str, quantity):
 
 study = Study(
     title="Blunt noses meet water with the measured ratios of forces",
-    runs=[Run("bluntNose", "meshes", nose, level, ("full",)) for level in ("fast", "fast 1.4", "fast 2") for nose in PEAK]
+    runs=[Run("bluntNose", "meshes", nose, level, ("full", level)) for level in ("fast", "fast 1.4", "fast 2") for nose in PEAK]
     + [Run("bluntNose", "meshes", nose, "fast 0.5", ("quick",)) for nose in PEAK],
     solve=lambda run, path: (prepare(run, path, scene=FOLDER / run.variant), solve(path)),
     sources=("src/freeSurfaceFlow", "src/rigidBody", "applications/solvers/plungeFoam", "validation/studies/bluntNose"),

@@ -61,7 +61,7 @@ def speed(done) -> Signal:
 
 study = Study(
     title="Wedges that enter water have the forces of the similarity solution and slow down as measured",
-    runs=[Run("wedgeEntry", "meshes", variant, level) for variant in (*EXACT, *MASSES) for level in LEVELS]
+    runs=[Run("wedgeEntry", "meshes", variant, level, ("full", level)) for variant in (*EXACT, *MASSES) for level in LEVELS]
     + [Run("wedgeEntry", "meshes", variant, "fast 0.7", ("quick",)) for variant in ("deadrise 30 deg", "94 kg/m")],
     solve=lambda run, path: (prepare(run, path, options(run), {"system/controlDict": "writeFormat ascii;"},
                                      FOLDER / ("fallingWedge" if falls(run) else "wedge")), solve(path)),
