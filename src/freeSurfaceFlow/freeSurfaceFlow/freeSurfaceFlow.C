@@ -281,7 +281,7 @@ void Foam::freeSurfaceFlow::check()
             readPositive(time_.controlDict(), name, "a positive Courant number.");
         }
         const scalar largest = runGuard::largestCourant(nCorrections());
-        if (time_.controlDict().get<scalar>("maxCo") > largest)
+        if (!isGiven() && time_.controlDict().get<scalar>("maxCo") > largest)
         {
             refuseEntry
             (

@@ -12,6 +12,9 @@
 #include "surfaceParts.H"
 #include "triSurfaceTools.H"
 
+#include <cstdint>
+#include <fstream>
+
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
 namespace Foam
@@ -67,6 +70,18 @@ fileName surfaceFile(const dictionary& dict, const fileName& caseDirectory)
     return file;
 }
 
+//- What triSurface is to read a file as: a binary STL is as long as its triangles say, and OpenFOAM takes one whose header starts
+//  with "solid" for text
+word formatOf(const fileName& file)
+{
+    const word format(file.ext());
+    std::ifstream is(file, std::ios::binary);
+    std::uint32_t n = 0;
+    is.seekg(80);
+    is.read(reinterpret_cast<char*>(&n), sizeof(n));
+    return format == "stl" && is && fileSize(file) == 84 + 50*off_t(n) ? "stlb" : format;
+}
+
 } // End anonymous namespace
 
 
@@ -76,7 +91,7 @@ Foam::closedSurface::closedSurface(const dictionary& dict, const setting& where)
 :
     shape(where),
     file_(surfaceFile(dict, where.caseDirectory)),
-    surface_(file_)
+    surface_(file_, formatOf(file_))
 {
     checkKeywords(dict, {"name", "type", "file"});
     checkWatertight(dict);

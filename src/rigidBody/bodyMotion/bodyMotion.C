@@ -99,6 +99,7 @@ Foam::bodyMotion::bodyMotion(const fvMesh& mesh)
     }
     freeForces_ = forces.constraintTransformation();
     freeMoments_ = moments.constraintTransformation();
+    checkBodyCoefficients(dict_);
     startStep();
 }
 
@@ -128,7 +129,6 @@ void Foam::bodyMotion::check(const boundBox& domain) const
             << exit(FatalIOError);
     }
 
-    checkBodyCoefficients(dict_);
     if (hasLaggingRestraints(dict_))
     {
         WarningInFunction
