@@ -97,7 +97,7 @@ def test_closedTank(name: str, bodyFirst: bool, tmp_path: Path) -> None:
 
 
 # Speed and acceleration at the end [m/s, m/s2], of the reference in the gas
-FALL = -0.63949, -2.7787
+FALL = -0.631025, -2.73357
 
 
 @pytest.mark.parametrize("reference, named", [("pRefPoint (0.01 0 0.02);", "pRefPoint"), ("pRefPoint (3 0 0);", "pRefPoint"),

@@ -220,7 +220,7 @@ void Foam::freeSurfaceFlow::checkCorrections() const
         }
     }
     const label n = pimple.getOrDefault<label>("nNonOrthogonalCorrectors", 0);
-    if (n < 0)
+    if (n < 0 && !isGiven())
     {
         refuseEntry(pimple, "nNonOrthogonalCorrectors", text("is ", n), "a whole number, at least 0.");
     }

@@ -69,6 +69,13 @@ SLOW = {
 }
 
 
+# Tutorials in which the solvers differ by what plungeFoam makes otherwise, with the reason
+DIFFER = {
+    "interFoam/laminar/waves/mangroveInteraction": "k differs by 1e-5, from the first steps on; the reason is not known",
+    "overInterDyMFoam/floatingBodyWithSpring/background": "donors that are interpolated themselves, a light body's steps until Newton's law holds",
+    "overInterDyMFoam/twoSimpleRotors": "donors that are interpolated themselves",
+}
+
 REMARKS = {
     "interFoam/RAS/angledDuct": "without the scalar s, which the stock solver does not carry with the liquid",
     "interFoam/RAS/waterChannel": "without the scalar s, which the stock solver does not carry with the liquid",
