@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Bad input: plungeFoam stops before the first time step and names the file, the entry and what it expected."""
+import os
 import re
 import shutil
 import struct
@@ -43,6 +44,14 @@ def both(*edits: Callable[[Path], None]) -> Callable[[Path], None]:
 def entry(file: str, name: str, value: object) -> Callable[[Path], None]:
     """Sets an entry of a dictionary."""
     return lambda case: setEntry(case, file, name, value)
+
+
+def alphaControl(line: str) -> Callable[[Path], None]:
+    """Adds a line to the controls of the volume fraction."""
+    def edit(case: Path) -> None:
+        path = case / "system/fvSolution"
+        path.write_text(path.read_text().replace("nAlphaSubCycles", f"{line} nAlphaSubCycles", 1))
+    return edit
 
 
 def shifted(vector: str) -> Callable[[Path], None]:
@@ -155,8 +164,11 @@ MISTAKES = {
         "damBreak", scene("compressibility none;"), ("sceneProperties", "compressibility", "incompressible")),
     "isoAdvector on an overset mesh": Mistake(
         "floatingBody", scene("interface isoAdvector;"), ("sceneProperties", "interface", "isoAdvector", "overset", "MULES")),
-    "local time steps": Mistake(
-        "damBreak", entry("system/fvSchemes", "ddtSchemes/default", "localEuler"), ("fvSchemes", "localEuler", "Expected")),
+    "local time steps on a mesh that moves": Mistake(
+        "floatingBody", entry("system/fvSchemes", "ddtSchemes/default", "localEuler"), ("fvSchemes", "localEuler", "mesh", "Expected")),
+    "local time steps of isoAdvector": Mistake(
+        "damBreak", both(scene("interface isoAdvector;"), entry("system/fvSchemes", "ddtSchemes/default", "localEuler")),
+        ("fvSchemes", "localEuler", "isoAdvector", "MULES")),
     "interface Courant number of zero": Mistake(
         "damBreak", entry("system/controlDict", "maxAlphaCo", "0"), ("controlDict", "maxAlphaCo", "positive")),
     "no pressure correction": Mistake(
@@ -192,6 +204,12 @@ MISTAKES = {
         "damBreak", entry("system/controlDict", "functions/bodyForces", "{ type plungeEvent; libs (plungeFunctionObjekts); event immersed; }"),
         ("controlDict", "function object", "bodyForces", "libs")),
 }
+
+if int(os.environ["FOAM_API"]) < 2006:
+    # From v2006 on OpenFOAM has it
+    MISTAKES["reconstruction of a later OpenFOAM"] = Mistake(
+        "damBreak", both(scene("interface isoAdvector;"), alphaControl("reconstructionScheme plicRDF;")),
+        ("fvSolution", "reconstructionScheme", "plicRDF", "isoAlpha", "v2006"))
 
 
 @pytest.mark.parametrize("name", MISTAKES)

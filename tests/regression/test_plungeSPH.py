@@ -17,8 +17,10 @@ from vtk.util.numpy_support import vtk_to_numpy
 
 from conftest import REPOSITORY
 from tutorials import checkRefused, copy, foam, setEntry
+from tutorials import run as runProgram
 from plunge.studies.particleRuns import CONTROL, PROPERTIES, series, setUp
 from plunge.studies.particleRuns import particles as readParticles
+from plunge.stl import write_stl
 from plunge.studies.references import reference as published
 
 WATER, GRAVITY = 1000, 9.81
@@ -255,26 +257,21 @@ def test_circle(contact: bool, tmp_path: Path) -> None:
     assert 0.42 < path["y_m"][-1] < 0.58 and path["Fpy_N"].max() > 0.5*WATER*np.pi*0.08**2*GRAVITY
 
 
-def formulation(run: Path) -> None:
-    """What docs/particles.md says of the paper's formulation, into a case in the plane."""
+def formulation(run: Path, neighbours: int) -> None:
+    """What docs/particles.md says of the paper's formulation, at the end of a case, with other than 500 neighbours."""
     text = (REPOSITORY / "docs/particles.md").read_text().split("## The paper's formulation")[1].split("```")[1]
     path = run / PROPERTIES
-    old = path.read_text()
-    for entry in ("kernel", "smoothingLength", "viscosity", "alpha", "acousticDamper", "densityDiffusion", "delta", "walls"):
-        old = re.sub(rf"\n{entry} .*", "", old)
-    for entry in ("liquid", "speedOfSound"):
-        old = re.sub(rf"\n{entry}\n{{[^}}]*}}\n", "", old)
-    path.write_text(old + text)
+    assert "neighbours          500;" in text
+    path.write_text(path.read_text() + text.replace("500", str(neighbours)))
 
 
 def test_paperFormulation(tmp_path: Path) -> None:
     """The formulation of IAC-20-E2.1.9 on Titan: its k0; the energy budget holds, also over a restart, and eq. 2 follows the
     equation of state."""
     run = case("damBreak", tmp_path / "run", {"geometry/spacing": 0.01}, endTime=0.4, writeInterval=0.2, purgeWrite=0)
-    formulation(run)
-    setEntry(run, "constant/g", "value", "(0 -1.35 0)")
     # 500 reach as far as the column is wide
-    setEntry(run, PROPERTIES, "neighbours", 60)
+    formulation(run, 60)
+    setEntry(run, "constant/g", "value", "(0 -1.35 0)")
     output = foam("plungeSPH", "-threads", 1, case=run)
     k0, c0 = (float(re.search(rf"{name} = (\S+) ", output).group(1)) for name in ("c0\\^2/gamma", "c0"))
     assert k0 == pytest.approx(100*1.35*664/7, rel=1e-4) and c0 == pytest.approx(10*np.sqrt(1.35), rel=1e-4)
@@ -477,3 +474,70 @@ def test_lake(tmp_path: Path) -> None:
     output = foam("plungeSPH", "-threads", 1, case=run)
     density, viscosity = map(float, re.search(r"Liquid: density (\S+) kg/m3, viscosity (\S+) Pa s", output).groups())
     assert 450 < density < 680 and 1e-4 < viscosity < 2e-3
+
+
+def test_surfacesThatAreNone(tmp_path: Path) -> None:
+    """Two cubes through each other are refused with their triangles; a part inside out is turned, and the log says which; a
+    binary file may start with "solid"."""
+    corners = np.array([[x, y, z] for z in (0, 1) for y in (0, 1) for x in (0, 1)], dtype=float)
+    faces = np.array([[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]])
+    cube = np.vstack((faces[:, [0, 1, 2]], faces[:, [0, 2, 3]]))
+
+    def body(name: str, second: np.ndarray, wound: slice) -> Path:
+        run = case("stillTank", tmp_path / name, {
+            "dimensions": 3, "geometry/spacing": 0.05, "outputs": "{ interval 0.01; }",
+            "geometry/fluid": "( { type box; min (0 0 0); max (1 0.5 0.2); } )",
+            "geometry/walls": "( { name log; type surface; file log.stl; } )"}, endTime=1e-6, writeInterval=1e-6)
+        setEntry(run, "constant/g", "value", "(0 0 -9.81)")
+        write_stl(run / "log.stl", np.vstack((0.2*corners + [0.2, 0.15, 0.3], second)), np.vstack((cube, 8 + cube[:, wound])))
+        data = (run / "log.stl").read_bytes()
+        (run / "log.stl").write_bytes(b"solid log".ljust(80) + data[80:])
+        return run
+
+    forwards, backwards = slice(None), slice(None, None, -1)
+    apart, through, flush = ([shift, 0.15, 0.3] + 0.2*corners for shift in (0.6, 0.3, 0.3))
+    through = through + [0, 0.05, 0.05]
+    for name, second in (("through", through), ("flush", flush)):
+        run = body(name, second, forwards)
+        checkRefused("plungeSPH", run, ["log.stl", "passes through itself", "of its 24 triangles", "from 0 the triangles"])
+    output = foam("plungeSPH", "-threads", 1, case=body("turned", apart, backwards))
+    assert "12 of 24 triangles turned" in output and "from 0 the triangles 12-23" in output
+    assert float(re.search(r"of the shape (\S+) m3", output).group(1)) == pytest.approx(2*0.2**3, rel=1e-5)
+
+
+@pytest.mark.parametrize("contact", [False, True], ids=["particles", "contact"])
+def test_bodyThroughTheFloor(contact: bool, tmp_path: Path) -> None:
+    """A heavy circle sinks to the floor: the run writes its state there and stops with what met, where and when."""
+    run = case("stillTank", tmp_path / "run", {
+        "geometry/walls": "( { name tank; type box; min (0 0 0); max (1 0.7 0); open (top); }"
+                          " { name log; type sphere; centre (0.5 0.2 0); radius 0.08; } )",
+        "bodies": f"{{ log {{ mass {20*WATER*np.pi*0.08**2}; momentOfInertia (9 9 9); centreOfMass (0.5 0.2 0); velocity (0 -1 0);"
+                  " solver { type symplectic; } } }",
+        **(SPRINGS if contact else {})}, endTime=0.3, writeInterval=0.3)
+    done = runProgram("plungeSPH", "-threads", 1, case=run)
+    assert done.returncode != 0 and "End\n" not in done.stdout
+    found = re.search(r"The body log meets the wall tank at \((\S+) (\S+) 0\) m, at (\S+) s", done.stdout)
+    assert found and abs(float(found.group(2))) < 0.005 and 0.1 < float(found.group(3)) < 0.12
+    path = table(run, "trajectory")
+    assert 0.075 < path["y_m"][-1] < 0.08
+    written = [p for p in run.iterdir() if (p / "particles").is_file()]
+    assert [float(p.name) for p in written] == [pytest.approx(path["time_s"][-1], rel=1e-5)]
+
+
+def test_newtonsLaw(tmp_path: Path) -> None:
+    """A circle of a hundredth of the liquid's density, in single precision: m a is the force of each line of its table, and it
+    rises as in an ideal fluid."""
+    mass, radius = 0.01*WATER*np.pi*0.12**2, 0.12
+    run = case("stillTank", tmp_path / "run", {
+        "geometry/spacing": 0.02, "speedOfSound": "{ c0 28; }",
+        "geometry/fluid": "( { type box; min (0 0 0); max (2.4 1.6 0); } )",
+        "geometry/walls": "( { name tank; type box; min (0 0 0); max (2.4 1.7 0); open (top); }"
+                          f" {{ name log; type sphere; centre (1.2 0.8 0); radius {radius}; }} )",
+        "outputs": "{ interval 0.05; }",
+        "bodies": f"{{ log {{ mass {mass}; momentOfInertia (1 1 1); centreOfMass (1.2 0.8 0); solver {{ type symplectic; }} }} }}"},
+        endTime=0.1, writeInterval=0.1)
+    foam("plungeSPH", "-threads", 1, case=run)
+    path = table(run, "trajectory")
+    force = path["Fpy_N"] + path["Fvy_N"] - mass*GRAVITY
+    np.testing.assert_allclose(mass*path["ay_m_s2"], force, atol=1e-4*mass*GRAVITY)
+    assert path["vy_m_s"][-1] == pytest.approx(0.99/1.01*GRAVITY*0.1, rel=0.06)

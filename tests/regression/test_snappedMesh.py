@@ -42,27 +42,34 @@ def coneCylinder(path: Path, around: int = 48) -> Path:
 def meshed(run: Path, model: str, mesh: str, forward: np.ndarray, dorsal: np.ndarray) -> Tuple[Surface, Dict[str, str]]:
     """The body's mesh made in an otherwise empty case; what snappyHexMesh and checkMesh said."""
     shape = Surface(coneCylinder(run / "cone.stl"), 0.001, nose=(0, 0, 1), dorsal=(1, 0, 0))
+    return shape, meshedShape(shape, TIER, run, model, mesh, forward, dorsal)
+
+
+def meshedShape(shape: Surface, tier: Dict[str, object], run: Path, model: str, mesh: str, forward: np.ndarray,
+                dorsal: np.ndarray) -> Dict[str, str]:
     shutil.copytree(REPOSITORY / "etc/methods/meshes/snapped", run, dirs_exist_ok=True)
     (run / "system").mkdir()
     shutil.copy(REPOSITORY / "etc/methods/meshes/system/createPatchDict", run / "system")
-    sections = snappedMesh.sections(shape, TIER, shape.length, 1, full=model == "full", single=mesh == "single")
+    sections = snappedMesh.sections(shape, tier, shape.length, 1, full=model == "full", single=mesh == "single")
     foamDictionary.write(run / "system/plungeGenerated", "A test's", [
         ("Choices", {"model": model, "mesh": mesh}), *sections, ("Place", snappedMesh.place(forward, dorsal, NOSE))])
     head = "FoamFile { version 2.0; format ascii; class dictionary; object x; }\n"
     (run / "system/controlDict").write_text(head + "libs (overset); deltaT 1; endTime 1; writeInterval 1; writeFormat ascii; writePrecision 12;\n")
     (run / "system/fvSchemes").write_text(head + "divSchemes {} gradSchemes {} laplacianSchemes {}\n")
     (run / "system/fvSolution").write_text(head)
-    snappedMesh.write_surface(shape, run)
+    snappedMesh.write_surface(shape, run, sections[0][1]["snappedWallSpacing"])
     placed = {key: foamDictionary.format_value(value) for key, value in snappedMesh.place(forward, dorsal, NOSE).items()}
     foam("blockMesh", case=run / "body")
     foam("snappyHexMesh", "-dict", "system/refineDict", "-overwrite", case=run / "body")
     foam("surfaceFeatureExtract", case=run / "body")
     said = {"snappyHexMesh": foam("snappyHexMesh", "-overwrite", case=run / "body")}
+    foam("surfaceMeshExtract", "-constant", "-patches", "(wall)", "meshed.stl", case=run / "body")
+    said["lost"] = snappedMesh.check_meshed(shape, run, model == "full", sections[0][1]["snappedWallSpacing"])
     foam("transformPoints", "-translate", placed["snappedTranslation"], "-rollPitchYaw", placed["snappedRollPitchYaw"], case=run / "body")
     shutil.copytree(run / "body/constant/polyMesh", run / "constant/polyMesh")
     foam("createPatch", "-overwrite", case=run)
     said["checkMesh"] = foam("checkMesh", "-constant", case=run)
-    return shape, said
+    return said
 
 
 def number(pattern: str, text: str) -> float:
@@ -117,3 +124,25 @@ def test_snappedMesh(tmp_path: Path, model: str, mesh: str, forward: np.ndarray,
     around = np.sort(np.arctan2(edge[:, 1], edge[:, 2]))
     assert np.diff(around).max() < 0.05*2*np.pi
     assert np.hypot(edge[:, 1], edge[:, 2]).max() < 1.001*RADIUS
+
+
+def test_thinWings(tmp_path: Path) -> None:
+    """A hull with wings a third as thick as the wall's cells: the mesh has them, with finer cells there."""
+    x, y, z = (-0.5, -0.1, 0.1, 0.5), (-0.4, -0.07, 0.07, 0.4), (-0.07, -0.008, 0.008, 0.07)
+    points = np.stack(np.meshgrid(x, y, z, indexing="ij"), axis=-1).reshape(-1, 3)
+    number = np.arange(64).reshape(4, 4, 4)
+    filled = {(i, 1, k) for i in range(3) for k in range(3)} | {(1, 0, 1), (1, 2, 1)}
+    faces = ((0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5))
+    ways = ((0, 0, -1), (0, 0, 1), (0, -1, 0), (0, 1, 0), (-1, 0, 0), (1, 0, 0))
+    triangles = []
+    for cell in sorted(filled):
+        corner = [number[cell[0] + (k & 1), cell[1] + (k >> 1 & 1), cell[2] + (k >> 2)] for k in range(8)]
+        for (a, b, c, d), way in zip(faces, ways):
+            if tuple(np.add(cell, way)) not in filled:
+                triangles += [(corner[a], corner[b], corner[c]), (corner[a], corner[c], corner[d])]
+    write_stl(tmp_path / "wings.stl", points, np.array(triangles))
+    shape = Surface(tmp_path / "wings.stl", 1, nose=(1, 0, 0), dorsal=(0, 0, 1))
+    said = meshedShape(shape, {**TIER, "bodySpacing": 0.1}, tmp_path, "half", "overset", LEVEL, np.cross(LEVEL, [0, 1, 0]))
+    volume, area = map(float, re.findall(r"(\S+) %", said["lost"]))
+    assert volume == pytest.approx(100, abs=0.5) and area == pytest.approx(100, abs=0.5)
+    assert "Mesh OK" in said["checkMesh"] or "Failed" not in said["checkMesh"]

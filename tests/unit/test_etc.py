@@ -303,8 +303,60 @@ def test_sourcedOpenFOAMIsKept(repository: Path, tmp_path: Path) -> None:
 def test_sourcedOpenFOAMOfAnotherKind(repository: Path, tmp_path: Path) -> None:
     variables = sourcedTree(tmp_path / "foam")
     (tmp_path / "foam/META-INFO/api-info").unlink()
-    with pytest.raises(RuntimeError, match="expected OpenFOAM v1912 or later"):
+    with pytest.raises(RuntimeError, match="expected a release of openfoam.com, v1912 v2006"):
         sourcedEnvironment(**variables)
+
+
+@pytest.mark.parametrize("version, api, headers", [
+    ("11", None, True), ("dev", None, True), ("11", None, False), ("9", None, False),    # the Foundation's
+    ("5.0-extend", None, True), ("v1906", "1906", True), ("v1806", "1806", False), ("v2606", "2606", True),
+    ("v2306", None, True)])
+def test_unsupportedOpenFOAMIsRefusedAtOnce(repository: Path, tmp_path: Path, version: str, api: str, headers: bool) -> None:
+    """By each program that meets it first, with the list of those that are supported, and before apt is asked for anything."""
+    variables = {**sourcedTree(tmp_path / "foam"), "WM_PROJECT_VERSION": version}
+    (tmp_path / "foam/META-INFO/api-info").unlink()
+    if api:
+        (tmp_path / "foam/META-INFO/api-info").write_text(f"api={api}\npatch=0\n")
+    if not headers:
+        shutil.rmtree(tmp_path / "foam/src")
+    tools = tmp_path / "bin"
+    tools.mkdir()
+    for name in ("apt-get", "dpkg-query", "sudo", "wmake"):
+        (tools / name).write_text(f"#!/bin/sh\ntouch '{tmp_path}/called'\nexit 1\n")
+        (tools / name).chmod(0o755)
+    environment = bareEnvironment(PATH=f"{tools}:/usr/bin:/bin", HOME=str(tmp_path), XDG_CACHE_HOME=str(tmp_path / "cache"), **variables)
+    for command in (["etc/prepare"], ["./Allwmake"], ["./Allrun"], ["./Alltest", "unit"], ["bash", "-c", ". etc/bashrc"]):
+        done = subprocess.run(command, env=environment, cwd=repository, stdin=subprocess.DEVNULL, capture_output=True, text=True)
+        assert done.returncode == 1, command
+        assert f"the sourced OpenFOAM {version} in {tmp_path}/foam is not supported" in done.stderr, command
+        assert "v1912 v2006 v2012 v2106 v2112 v2206 v2212 v2306 v2312 v2406 v2412 v2506 v2512" in done.stderr, command
+    assert not (tmp_path / "called").exists() and not (tmp_path / "cache").exists()
+
+
+@pytest.mark.parametrize("api", ["1912", "2006", "2212", "2506", "2512"])
+def test_supportedOpenFOAMIsTaken(tmp_path: Path, api: str) -> None:
+    variables = sourcedTree(tmp_path / "foam")
+    (tmp_path / "foam/META-INFO/api-info").write_text(f"api={api}\npatch=0\n")
+    assert sourcedEnvironment(**{**variables, "WM_PROJECT_VERSION": f"v{api}"})["WM_PROJECT_DIR"] == str(tmp_path / "foam")
+
+
+def test_releasesAreThoseOfTheReadme(repository: Path) -> None:
+    releases = re.search(r'plungeFoamReleases="([\d ]+)"', (repository / "etc/foamLocation").read_text()).group(1).split()
+    text = (repository / "README.md").read_text()
+    assert all(f"v{release}" in text for release in releases)
+
+
+@pytest.mark.parametrize("api, standard, library", [("1912", "c++14", ""), ("2006", "c++14", "-lgeometricVoF"),
+                                                    ("2406", "c++14", "-lgeometricVoF"), ("2412", "c++17", "-lgeometricVoF")])
+def test_compilerOptionsFollowTheRelease(repository: Path, tmp_path: Path, api: str, standard: str, library: str) -> None:
+    sourcedTree(tmp_path / "foam")
+    (tmp_path / "foam/META-INFO/api-info").write_text(f"api={api}\npatch=0\n")
+    (tmp_path / "makefile").write_text("include $(PLUNGE_DIR)/src/compilerOptions\n"
+                                       "all:\n\t@echo '$(PLUNGE_INC)'\n\t@echo '$(GEOMETRIC_VOF_LIBS)'\n")
+    done = subprocess.run(["make", "-f", tmp_path / "makefile"], capture_output=True, text=True,
+                          env={**os.environ, "WM_PROJECT_DIR": str(tmp_path / "foam"), "PLUNGE_DIR": str(repository)})
+    options, libraries = done.stdout.splitlines()
+    assert f"-std={standard}" in options.split() and libraries.strip() == library
 
 
 def test_administratorsLine(repository: Path, tmp_path: Path) -> None:

@@ -153,7 +153,9 @@ def test_surface_lies_where_the_dive_starts(case: Path) -> None:
     given = foamDictionary.read(run / "system/plungeGenerated")
     corners = facets["x"].astype(float)
     along = (corners - given["nosePosition"]) @ given["forward"]
-    assert given["nosePosition"] == pytest.approx([0, 0, 0.01])
+    # The lowest point of a slanting body lies behind its nose
+    assert given["nosePosition"][:2] == [0, 0]
+    assert corners[..., 2].min() == pytest.approx(0.00962466, abs=1e-7)
     assert (along.max(), along.min()) == pytest.approx((0, -2), abs=1e-6)
     volume = np.einsum("ij,ij->", corners[:, 0], np.cross(corners[:, 1], corners[:, 2])) / 6
     assert volume == pytest.approx(given["bodyVolume"], rel=1e-3)  # wound outwards: positive
@@ -382,15 +384,21 @@ def decision(found: dict, what: str) -> str:
 SLOW = {"entry__speed": 0.01}    # the tier fast resolves its laminar layer
 MEDIUM = {"entry__speed": 0.5}   # and this one's not
 
+VERTICAL = {"entry__angle": 90, "body__freedom": "axial"}
+
 
 @pytest.mark.parametrize("overrides, layer, reason", [
     ({}, "frictionLine", "Re = 1.64e+07, above transition at 5e+05"),
-    ({"transitionReynolds": 2e7}, "frictionLine", "Re = 1.64e+07, not above transition at 2e+07, but the mesh's first layer is 0.00288 m "
+    ({"transitionReynolds": 2e7}, "frictionLine", "Re = 1.64e+07, transition at 2e+07, but the mesh's first layer is 0.00288 m "
                                                   "and a laminar layer needs 7.86e-05 m"),
-    (MEDIUM, "frictionLine", "Re = 3.27e+05, not above transition at 5e+05, but the mesh's first layer"),
-    (SLOW, "laminar", "Re = 6.55e+03, not above transition at 5e+05, and the mesh resolves the layer"),
+    (MEDIUM, "frictionLine", "Re = 3.27e+05, transition at 5e+05, but the mesh's first layer"),
+    (SLOW, "laminar", "Re = 6.55e+03, transition at 5e+05: the mesh resolves the layer"),
     ({**SLOW, "transitionReynolds": 0}, "frictionLine", "Re = 6.55e+03, above transition at 0"),
     ({**SLOW, "resolution": 0.5}, "frictionLine", "but the mesh's first layer"),
+    # A mesh in two dimensions can pay for thin layers
+    ({**MEDIUM, **VERTICAL}, "laminar", "Re = 3.27e+05, transition at 5e+05: the mesh resolves the layer"),
+    ({**MEDIUM, **VERTICAL, "travel": 0.26}, "laminar", "Re = 1.35e+05 of the length that is wetted"),
+    (VERTICAL, "frictionLine", "Re = 1.64e+07, above transition at 5e+05"),
     ({**SLOW, "boundaryLayer": "laminar"}, "laminar", "as asked; Re = 6.55e+03"),
     ({"boundaryLayer": "none"}, "none", "as asked; Re = 1.64e+07"),
     ({"boundaryLayer": "frictionLine"}, "frictionLine", "as asked"),
@@ -595,3 +603,22 @@ def test_wall_functions_are_refused_where_their_layer_is_thinner_than_the_mesh_i
 def test_numbers_are_finite() -> None:
     with pytest.raises(ParameterError, match="'entry.speed' is inf; expected a number, 0 or above"):
         generated(**{"entry.speed": float("inf")})
+
+
+@pytest.mark.parametrize("density, speed, deepest", [
+    (13280, 0.5, -0.3456),  # falls on, and faster
+    (1000, 5.0, -0.1115),   # as heavy as the water
+    (6.64, 0.5, -0.0281),   # turns round: the room of the straight path is enough
+])
+def test_roomForTheFall(density: float, speed: float, deepest: float) -> None:
+    """The background holds the way that gravity makes of it, and room about the body at its end."""
+    flat = generated(fluids="water", entry__speed=speed, body__shape__length=0.1, entry__gap=0.001, body__density=density)
+    assert flat["zMin"] < min(deepest, flat["pathEnd"][2]) - 0.1
+    assert flat["pathEnd"][2] <= deepest + 0.005
+
+
+def test_roomForARise() -> None:
+    """A light body that is let go in the liquid leaves it through the surface: up there is room, too."""
+    flat = generated(fluids="water", entry__speed=0.0, entry__depth=0.5, body__density=300, body__shape__length=0.1, duration=0.5,
+                   entry__angle=-90)
+    assert flat["pathEnd"][2] > 0.05 and flat["zMax"] > flat["pathEnd"][2] + 0.03

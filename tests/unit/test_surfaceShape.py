@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from plunge import snappedMesh
 from plunge.checks import ParameterError
 from plunge.shapes import NACA, ShapeError, read_shape
 from plunge.shapes.ellipsoid import ellipsoid_added_mass
@@ -112,6 +113,38 @@ def test_inverted_triangles_are_turned(tmp_path, inverted):
     shape = Surface(stl(tmp_path, points, turned), nose=(1, 0, 0), dorsal=(0, 0, 1))
     assert shape.volume == pytest.approx(right.volume, rel=1e-9) and shape.volume > 0
     assert right.notes == [] and f"{len(turned[chosen])} of {len(triangles)} triangles turned" in shape.notes[0]
+    named = f"the triangles 0-{len(triangles) - 1}" if inverted == "all" else "the triangles 0 3 6 9 12 15 18 21 ..."
+    assert shape.notes[0].endswith(named)
+
+
+def test_a_part_inside_out_is_turned_and_named(tmp_path):
+    points, triangles = box([0.8, 0.2, 0.2], [3, 0.8, 0.8])
+    shape = Surface(stl(tmp_path, *joined(box([0, 0, 0], [1, 1, 1]), (points, triangles[:, ::-1]))))
+    assert shape.volume == pytest.approx(1 + 2 * 0.36, rel=1e-6)
+    assert shape.notes[0].startswith("12 of 24 triangles turned") and shape.notes[0].endswith("from 0 the triangles 12-23")
+
+
+def test_a_surface_that_passes_through_itself_is_refused_with_its_triangles(tmp_path):
+    # A corner of a box drawn through the face opposite: the three faces at it pass through others
+    points, triangles = box([0, 0, 0], [1, 1, 1])
+    points = points.copy()
+    points[7] = [0.3, 0.4, -2]
+    with pytest.raises(SurfaceError, match=r"passes through itself: \d+ of its 12 triangles do, from 0 the triangles .*expected one closed"):
+        Surface(stl(tmp_path, points, triangles))
+
+
+def test_parts_that_lie_on_each_other_are_refused(tmp_path):
+    same, beside = box([0, 0, 0], [1, 1, 1]), box([0.5, 0, 0], [1.5, 1, 1])
+    for other, message in ((same, "lie on each other in pairs"), (beside, "the triangles 12-23")):
+        with pytest.raises(SurfaceError, match=message):
+            Surface(stl(tmp_path, *joined(same, other)))
+
+
+@pytest.mark.parametrize("header", [b"solid body", b"solid body\n facet normal 1 0 0\n"])
+def test_a_binary_file_that_starts_with_solid(tmp_path, header):
+    path = stl(tmp_path, *box([0, 0, 0], [3, 1, 1]))
+    path.write_bytes(header.ljust(80) + path.read_bytes()[80:])
+    assert Surface(path).volume == pytest.approx(3)
 
 
 def test_leak_is_refused_with_its_place(tmp_path):
@@ -160,7 +193,7 @@ def test_solids_of_an_ascii_file_are_one_body_where_they_close_it(tmp_path):
 
 
 def test_two_bodies_are_refused(tmp_path):
-    with pytest.raises(SurfaceError, match="2 closed parts that do not touch; expected one body"):
+    with pytest.raises(SurfaceError, match="2 closed parts that do not touch.* from 0 the triangles 12-23"):
         Surface(stl(tmp_path, *joined(box([0, 0, 0], [1, 1, 1]), box([2, 0, 0], [3, 1, 1]))))
 
 
@@ -248,3 +281,30 @@ def test_entries_that_are_refused(tmp_path, change, message):
     assert read_shape(entry, tmp_path, "scene").length == pytest.approx(3)
     with pytest.raises((ShapeError, ParameterError), match=message):
         read_shape({**entry, **change}, tmp_path, "scene")
+
+
+def blocks(x, y, z, filled) -> tuple[np.ndarray, np.ndarray]:
+    """Points and outward triangles of filled cells of a grid of planes."""
+    points = np.stack(np.meshgrid(x, y, z, indexing="ij"), axis=-1).reshape(-1, 3).astype(float)
+    number = np.arange(len(points)).reshape(len(x), len(y), len(z))
+    filled, triangles = {tuple(cell) for cell in filled}, []
+    for cell in filled:
+        corner = [number[tuple(np.add(cell, (k & 1, k >> 1 & 1, k >> 2)))] for k in range(8)]
+        for face, way in zip(CUBE_FACES, ((0, 0, -1), (0, 0, 1), (0, -1, 0), (0, 1, 0), (-1, 0, 0), (1, 0, 0))):
+            if tuple(np.add(cell, way)) not in filled:
+                a, b, c, d = (corner[k] for k in face)
+                triangles += [(a, b, c), (a, c, d)]
+    return points, np.array(triangles)
+
+
+def test_a_snapped_mesh_that_lost_a_wing_is_refused(tmp_path):
+    hull = [(0, 1, 0), (0, 1, 1), (0, 1, 2)]
+    grid = [-2, 2], [-3, -0.5, 0.5, 3], [-0.5, -0.02, 0.02, 0.5]
+    shape = Surface(stl(tmp_path, *blocks(*grid, [*hull, (0, 0, 1), (0, 2, 1)])), nose=(1, 0, 0), dorsal=(0, 0, 1))
+    points, triangles = shape.surface()
+    (tmp_path / "body").mkdir()
+    write_stl(tmp_path / "body/meshed.stl", points * [-1, 1, 1], triangles[:, ::-1])
+    assert "100 % of the body's volume and 100 % of its area" in snappedMesh.check_meshed(shape, tmp_path, True, 0.2)
+    write_stl(tmp_path / "body/meshed.stl", *blocks(*grid, hull))
+    with pytest.raises(SurfaceError, match=r"has 83.33 % of the body's volume and 30.* % of its area.*too thin for cells of 0.2 m"):
+        snappedMesh.check_meshed(shape, tmp_path, True, 0.2)

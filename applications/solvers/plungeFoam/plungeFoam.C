@@ -12,10 +12,13 @@ Description
 
 #include "argList.H"
 #include "freeSurfaceFlow.H"
+#include "functionObjectList.H"
+#include "mapPolyMesh.H"
 #include "profileTable.H"
 #include "profiling.H"
 #include "restart.H"
 #include "timeControls.H"
+#include "timeSelector.H"
 
 #include <malloc.h>
 
@@ -33,6 +36,12 @@ int main(int argc, char *argv[])
         " body that plunges into them, on any dynamic mesh, overset included."
     );
 
+    // The option -postProcess, as every solver has it
+    #define CREATE_MESH createDynamicFvMesh.H
+    #define NO_CONTROL
+    #define CREATE_FIELDS createFlow.H
+    #include "postProcess.H"
+
     #include "addCheckCaseOptions.H"
     #include "setRootCaseLists.H"
     #include "createTime.H"
@@ -40,7 +49,7 @@ int main(int argc, char *argv[])
     checkTimeControls(runTime);
     #include "createDynamicFvMesh.H"
 
-    freeSurfaceFlow flow(mesh);
+    #include "createFlow.H"
 
     Info<< "\nStarting time loop\n" << endl;
 
@@ -51,25 +60,29 @@ int main(int argc, char *argv[])
         ++runTime;
         Info<< "Time = " << runTime.timeName() << nl << endl;
 
-        while (flow.pimple().loop())
+        do
         {
-            flow.moveMesh();
-            flow.advectInterface();
-
-            if (flow.pimple().frozenFlow())
+            while (flow.pimple().loop())
             {
-                continue;
+                flow.moveMesh();
+                flow.advectInterface();
+
+                if (flow.pimple().frozenFlow())
+                {
+                    continue;
+                }
+
+                flow.predictMomentum();
+
+                while (flow.pimple().correct())
+                {
+                    flow.correctPressure();
+                }
+
+                flow.correctTurbulence();
             }
-
-            flow.predictMomentum();
-
-            while (flow.pimple().correct())
-            {
-                flow.correctPressure();
-            }
-
-            flow.correctTurbulence();
         }
+        while (flow.repeatStep());
 
         {
             addProfiling(output, "output");
@@ -91,6 +104,7 @@ int main(int argc, char *argv[])
         runTime.timeIndex() - runTime.startTimeIndex(),
         mesh.globalData().nTotalCells()
     );
+    flow.reportBalance(Info);
     Info<< "End\n" << endl;
 
     return 0;

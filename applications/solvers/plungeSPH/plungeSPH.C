@@ -48,6 +48,7 @@ void simulate(Time& runTime, const smoothedParticles::particleProperties& proper
         flow.report();
         flow.endAtEvent();
         flow.write();
+        flow.stopAtCollision();
     }
 }
 

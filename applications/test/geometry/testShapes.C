@@ -6,6 +6,7 @@
 #include "shape.H"
 
 #include "IStringStream.H"
+#include "foamVersion.H"
 
 #include <cmath>
 #include <random>
@@ -35,7 +36,7 @@ protected:
     void writeBox(const boundBox& box) const
     {
         List<triFace> triangles;
-        for (const face& f : boundBox::faces)
+        for (const face& f : foamVersion::hexFaces<boundBox>())
         {
             triangles.append(triFace(f[0], f[1], f[2]));
             triangles.append(triFace(f[0], f[2], f[3]));

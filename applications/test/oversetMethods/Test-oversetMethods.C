@@ -143,6 +143,83 @@ TEST(UniqueVolume, PlaneOfSymmetryMayCloseTheSurface)
 }
 
 
+// The boundary of a zone in a plane mesh has no ends: across the empty direction, whichever that is, it is not closed
+TEST(UniqueVolume, BoundaryAcrossAPlaneMeshCoversItsArea)
+{
+    const boundBox box(point(0.3, 0.35, 0), point(0.7, 0.6, 1));
+    for (const tensor& axes : {tensor::I, tensor(0, 0, 1, 1, 0, 0, 0, 1, 0), tensor(0, 1, 0, 0, 0, 1, 1, 0, 0)})
+    {
+        for (const scalar angle : {0.0, 0.7, 1.3})
+        {
+            List<triangle> sides;
+            for (triangle t : turnedBox(box, rotation(angle, 0)))
+            {
+                if (mag(((t[1] - t[0]) ^ (t[2] - t[0])).z()) < SMALL)
+                {
+                    // To round-off
+                    t[0].z() += 1e-17;
+                    t[1].x() -= 1e-17;
+                    sides.append(corners(axes & t[0], axes & t[1], axes & t[2]));
+                }
+            }
+            ASSERT_EQ(sides.size(), 8);
+
+            List<boundBox> cells;
+            for (label i = 0; i < 9; ++i)
+            {
+                for (label j = 0; j < 9; ++j)
+                {
+                    cells.append(boundBox(axes & (point(i, j, 0)/9), axes & point((i + 1)/9.0, (j + 1)/9.0, 1)));
+                }
+            }
+            const scalarField covered(uniqueVolume::coveredVolume(cells, sides));
+            EXPECT_NEAR(sum(covered), box.volume(), 1e-14);
+            EXPECT_GT(min(covered), -1e-15);
+            EXPECT_LT(max(covered), cells[0].volume() + 1e-15);
+        }
+    }
+}
+
+
+// Between planes at 2.5 degrees to that of x and z, and in boxes about the cells of the wedge
+TEST(UniqueVolume, BoundaryInAWedgeCoversItsSector)
+{
+    const scalar slope = ::tan(2.5*constant::mathematical::pi/180);
+    const auto at = [&](scalar x, scalar r, int side)
+    {
+        return point(x, side*slope*r, r);
+    };
+    List<triangle> surface;
+    const auto append = [&](const point& a, const point& b, const point& c)
+    {
+        surface.append(corners(a, b, c));
+    };
+    const scalar x0 = 0.23, x1 = 0.61, R = 0.37;
+    append(at(x0, 0, 1), at(x0, R, -1), at(x0, R, 1));
+    append(at(x1, 0, 1), at(x1, R, 1), at(x1, R, -1));
+    append(at(x0, R, -1), at(x1, R, 1), at(x0, R, 1));
+    append(at(x0, R, -1), at(x1, R, -1), at(x1, R, 1));
+
+    List<boundBox> cells;
+    for (label i = 0; i < 10; ++i)
+    {
+        for (label k = 0; k < 10; ++k)
+        {
+            const scalar r = 0.1*(k + 1);
+            cells.append(boundBox(point(0.1*i, -slope*r, 0.1*k), point(0.1*(i + 1), slope*r, r)));
+        }
+    }
+    const scalarField covered(uniqueVolume::coveredVolume(cells, surface));
+    forAll(cells, c)
+    {
+        const boundBox& b = cells[c];
+        const scalar length = max(scalar(0), min(x1, b.max().x()) - max(x0, b.min().x()));
+        const scalar r = max(min(R, b.max().z()), b.min().z());
+        EXPECT_NEAR(covered[c], length*slope*(sqr(r) - sqr(b.min().z())), 1e-15) << c;
+    }
+}
+
+
 TEST(UniqueVolume, SurfaceOutOfReachCoversNothing)
 {
     const boundBox box(point(2, 2, 2), point(3, 3, 3));

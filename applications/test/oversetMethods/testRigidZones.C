@@ -221,6 +221,62 @@ TEST(RigidZones, LinearFieldsAreExactBetweenDonors)
 }
 
 
+// Where donors are at equal distances, and as far below zero, as they are in aligned meshes: whatever their order
+TEST(RigidZones, WeightsDoNotDependOnTheOrderOfDonors)
+{
+    compositeCase c;
+    const pointList donors(lattice());
+    scalarList weights, shuffledWeights;
+    Random random(2);
+    for (const point& sample : {point(0.5, 0, 0), point(0.5, 0.5, 0.5), point(0.3, 0.3, 0), point(0.4, 0.4, 0.4), point(0.45, 0.2, 0.45)})
+    {
+        c.stencil().stencilWeights(sample, donors, weights);
+        for (label trial = 0; trial < 20; ++trial)
+        {
+            labelList order(identity(donors.size()));
+            forAll(order, i)
+            {
+                Swap(order[i], order[random.position<label>(0, i)]);
+            }
+            // Numbered otherwise, and their centres are summed otherwise
+            pointList shuffled(donors, order);
+            for (point& p : shuffled)
+            {
+                p += 1e-15*(random.sample01<vector>() - 0.5*vector::one);
+            }
+            c.stencil().stencilWeights(sample, shuffled, shuffledWeights);
+            forAll(order, i)
+            {
+                EXPECT_NEAR(shuffledWeights[i], weights[order[i]], 1e-9) << order[i];
+            }
+        }
+    }
+}
+
+
+// Centres of the zone on corners of the background: of the eight cells about each the first one in space is its donor
+TEST(RigidZones, TiesBetweenCellsAreResolvedByTheirPlaces)
+{
+    compositeCase c;
+    c.move(motion{"", vector(1, 0, 0), 0, -compositeCase::start(), 1});
+    const pointField& C = c.mesh().cellCentres();
+    const labelList& zoneID = cellCellStencil::zoneID(c.mesh());
+    label n = 0;
+    for (const auto& acceptor : stencilOf(c))
+    {
+        if (zoneID[acceptor.first])
+        {
+            ++n;
+            for (const auto& donor : acceptor.second)
+            {
+                EXPECT_LT(cmptMax(C[donor.first] - C[acceptor.first]), 0.51);
+            }
+        }
+    }
+    EXPECT_GT(n, 300);
+}
+
+
 // Of the whole mesh, in the fringe of which not all neighbours are donors
 TEST(RigidZones, LinearFieldsAreInterpolatedExactly)
 {

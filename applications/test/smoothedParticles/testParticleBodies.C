@@ -81,7 +81,8 @@ struct everything
     {
         wallMotions motions;
         motions[1] = body.state;
-        flow = newParticleFlow<2>(s, model, nThreads, motions);
+        body.force = Foam::vector(0, -body.mass*g, 0);
+        flow = newParticleFlow<2>(s, model, nThreads, motions, body.response());
     }
 
     void advance(double deltaT)
@@ -153,8 +154,10 @@ double accelerationRatio(double density)
 
     const double displaced = rho0*pi*radius*radius;
     drivenBody body(0, density*displaced, {{true, true}}, {{0, 0}});
-    auto flow = newParticleFlow<2>(s, m, 1, {{0, body.state}});
+    auto flow = newParticleFlow<2>(s, m, 1, {{0, body.state}}, body.response());
+    body.moves = {{false, false}};
     run(*flow, 0.1);
+    body.moves = {{true, true}};
 
     const double force = 10*displaced*(density + addedMass(radius));
     std::vector<double> t, v;
@@ -195,7 +198,7 @@ floating floatCircle(double radius, double ratio, double start)
     m.absorption.surface = level;
     const particleState<2> s = above<2>(tankWithCircle(spacing, 1, level, radius, level + start, c0, false), 0);
     drivenBody body(1, 0.5*ratio*rho0*pi*radius*radius, {{false, true}}, {{0, level + start}});
-    auto flow = newParticleFlow<2>(s, m, 1, {{1, body.state}});
+    auto flow = newParticleFlow<2>(s, m, 1, {{1, body.state}}, body.response());
 
     // The tank is 1 wide
     double still = body.mass/rho0;
@@ -425,4 +428,37 @@ TEST(ParticleBodies, Archimedes)
     }
     const double density = rho0 + densityOf(rho0*g*0.5, c0);
     EXPECT_NEAR(sum/time/(0.5*density*g*pi*radius*radius), 1, 0.015);
+}
+
+
+// Let go at rest in a deep tank, a circle far lighter than the liquid, or far heavier, moves as in an ideal fluid, to what six
+// spacings along its radius resolve and the sound of the start leaves; m a is the force on it at each step
+TEST(ParticleBodies, lightAndHeavy)
+{
+    constexpr double spacing = 0.02;
+    constexpr double c0 = 28;
+    constexpr double radius = 0.12;
+    for (const double ratio : {0.001, 0.01, 0.1, 0.5, 20.0})
+    {
+        particleFlowModel<2> m = modelOf<2>(spacing, c0);
+        m.interaction.g = {{0, -g, 0}};
+        m.symmetry = {{0, 0, 1}, {0, 1.2, -1}};
+        const particleState<2> s = above<2>(tankWithCircle(spacing, 1.2, 1.6, radius, 0.8, c0, false), 0);
+        drivenBody body(1, 0.5*ratio*rho0*pi*radius*radius, {{false, true}}, {{0, 0.8}});
+        body.force = Foam::vector(0, -body.mass*g, 0);
+        auto flow = newParticleFlow<2>(s, m, 1, {{1, body.state}}, body.response());
+        const double ideal = (1 - ratio)/(1 + ratio)*g;
+        double largest = 0;
+        for (const double end : {0.02, 0.05, 0.1})
+        {
+            while (flow->time() < end)
+            {
+                body.advance(*flow, std::min(flow->stableTimeStep(), end - flow->time()), body.force);
+                largest = std::max(largest, std::abs(body.respond(flow->wallLoads(1)).linear[1]));
+            }
+            EXPECT_NEAR(body.state.velocity[1]/(ideal*end), 1, 0.1) << ratio << " at " << end;
+        }
+        // No swinging: at the start the liquid near by goes along, all of it when the sound has gone round
+        EXPECT_LT(largest, 6*std::abs(ideal)) << ratio;
+    }
 }

@@ -53,11 +53,15 @@ dictionary parsed(const std::string& entries)
 }
 
 
+//- Of the last set-up
+DynamicList<Foam::string> notes;
+
+
 //- Of entries after the spacing
 template<int dim>
 particleState<dim> particles(const std::string& entries, const fileName& caseDirectory = ".")
 {
-    return readParticles<dim>(parsed("spacing 0.1; " + entries), liquid<dim>(), caseDirectory);
+    return readParticles<dim>(parsed("spacing 0.1; " + entries), liquid<dim>(), caseDirectory, notes);
 }
 
 
@@ -221,7 +225,7 @@ TEST(particleSetUp, pressureAtRestIsByChoice)
     sideways.interaction.g = {{gravity, 0, 0}};
     const particleState<2> state = readParticles<2>
     (
-        parsed(std::string("spacing 0.1; fluid ({") + box2D + "});"), sideways, "."
+        parsed(std::string("spacing 0.1; fluid ({") + box2D + "});"), sideways, ".", notes
     );
     for (std::size_t i = 0; i < state.size(); ++i)
     {
@@ -230,7 +234,7 @@ TEST(particleSetUp, pressureAtRestIsByChoice)
 
     particleFlowModel<2> weightless(liquid<2>());
     weightless.interaction.g = {{0, 0, 0}};
-    EXPECT_EQ(readParticles<2>(parsed(std::string("spacing 0.1; fluid ({") + box2D + "});"), weightless, ".").pressure[0], 0);
+    EXPECT_EQ(readParticles<2>(parsed(std::string("spacing 0.1; fluid ({") + box2D + "});"), weightless, ".", notes).pressure[0], 0);
 }
 
 
@@ -333,7 +337,8 @@ TEST(particleSetUp, wallsAreAsDeepAsTheKernelReaches)
                 "walls ({ name floor; open (top left right);" + box2D + "});"
             ),
             model,
-            "."
+            ".",
+            notes
         );
         EXPECT_EQ(count(state, 0), 10*expected.second) << expected.first;
     }
@@ -356,13 +361,13 @@ TEST(particleSetUp, nothingIsBeyondAPlaneOfSymmetry)
 {
     const dictionary whole(parsed("spacing 0.1; fluid ({ type box; min (0 -0.25 0); max (1 0.25 0); });"));
     particleFlowModel<2> model(liquid<2>());
-    EXPECT_EQ(readParticles<2>(whole, model, ".").size(), 50u);
+    EXPECT_EQ(readParticles<2>(whole, model, ".", notes).size(), 50u);
     model.symmetry = {{1, 0, 1}};
-    const particleState<2> half(readParticles<2>(whole, model, "."));
+    const particleState<2> half(readParticles<2>(whole, model, ".", notes));
     EXPECT_EQ(half.size(), 20u);
     EXPECT_TRUE(std::all_of(half.x.begin(), half.x.end(), [](const std::array<double, 2>& x){ return x[1] > 0.05; }));
     model.symmetry = {{0, 0.6, -1}};
-    const particleState<2> left(readParticles<2>(whole, model, "."));
+    const particleState<2> left(readParticles<2>(whole, model, ".", notes));
     EXPECT_EQ(left.size(), 30u);
     EXPECT_TRUE(std::all_of(left.x.begin(), left.x.end(), [](const std::array<double, 2>& x){ return x[0] < 0.6; }));
 }
@@ -414,7 +419,8 @@ TEST(particleSetUp, halfOfACircle)
             "walls ({ name disc; type sphere; centre (1 1 0); radius 0.5; });"
         ),
         model,
-        "."
+        ".",
+        notes
     );
     for (const auto& x : state.x)
     {
@@ -656,4 +662,46 @@ TEST(particleSetUp, refusals)
         std::string("fluid ({") + box2D + "}); walls ({ name a; open (front);" + box2D + "});",
         {"face front", "left"}
     );
+}
+
+
+// A plate that the kernel, whose reach is 0.3, reaches through is refused, unless another wall covers one of its sides
+TEST(particleSetUp, thinWalls)
+{
+    const std::string fluid("fluid ({ type box; min (5 5 0); max (6 6 0); }); walls (");
+    const auto plate = [&](const std::string& thickness, const std::string& more = "")
+    {
+        notes.clear();
+        return particles<2>
+        (
+            fluid + "{ name plate; type box; solid yes; min (0 0 0); max (" + thickness + " 2 0); }" + more + ");"
+        );
+    };
+    for (const char* thickness : {"0.1", "0.2"})
+    {
+        expectRefusal({"Wall plate is, on ", "the liquid on its two sides meets through it", "0.3 m thick"}, [&]{ plate(thickness); });
+    }
+    EXPECT_EQ(count(plate("0.3"), 0), 60);
+    ASSERT_EQ(notes.size(), 1);
+    EXPECT_NE(notes[0].find("more than half the radius of plate, 0.15 m"), std::string::npos) << notes[0];
+    EXPECT_EQ(count(plate("0.4"), 0), 80);
+    EXPECT_TRUE(notes.empty());
+    plate("0.1", "{ name behind; type box; solid yes; min (-0.5 0 0); max (0 2 0); }");
+}
+
+
+// Half a plate, with its mirror image, is thick enough
+TEST(particleSetUp, thinWallsAcrossSymmetry)
+{
+    particleFlowModel<2> model(liquid<2>());
+    model.symmetry = {{0, 0, 1}};
+    const dictionary geometry
+    (
+        parsed
+        (
+            "spacing 0.1; fluid ({ type box; min (5 5 0); max (6 6 0); });"
+            "walls ({ name plate; type box; solid yes; min (0 0 0); max (0.2 2 0); });"
+        )
+    );
+    EXPECT_EQ(count(readParticles<2>(geometry, model, ".", notes), 0), 40);
 }

@@ -370,3 +370,114 @@ TEST(Helmholtz, everyStateIsAStableRootOrARefusal)
     EXPECT_LT(refused[1], 0.01*answered[1]);
     EXPECT_GT(answered[0], refused[0]);
 }
+
+
+// Nitrogen at 2 MPa: the spinodal is crossed at about 120.3 K, beyond it the equation has a shelf with further roots
+TEST(Helmholtz, nothingIsLiquidBeyondItsSpinodal)
+{
+    const helmholtzMixture nitrogen(composition::pure(N2));
+    EXPECT_NEAR(nitrogen.state(120, 2e6, phase::liquid).density, 485.875, 0.001);
+
+    bool ended = false;
+    double last = nitrogen.state(119, 2e6, phase::liquid).molarDensity;
+    for (int k = 1; k < 600; ++k)
+    {
+        const double T = 119 + 0.01*k;
+        try
+        {
+            const double rho = nitrogen.molarDensity(T, 2e6, phase::liquid);
+            EXPECT_FALSE(ended) << "a liquid again at " << T << " K";
+            EXPECT_LT(rho, last);
+            EXPECT_GT(rho, 0.99*last);
+            last = rho;
+        }
+        catch (const thermoError&)
+        {
+            ended = true;
+        }
+    }
+    for (const double T : {120.45, 120.5, 120.65, 120.7})
+    {
+        expectRefusal(reason::noSuchPhase, "1 N2", [&]{nitrogen.molarDensity(T, 2e6, phase::liquid);});
+        expectRefusal(reason::noSuchPhase, "1 N2", [&]{nitrogen.molarDensity(T, 2e6, phase::liquid, 14855);});
+    }
+}
+
+
+// Pressures about those at which liquids and gases that are mostly nitrogen lose their stability, seeded: what is
+// answered is on its own branch, the one on which the slope rises to the dense (dilute) end, whatever the guess
+TEST(Helmholtz, nothingIsAnsweredBeyondASpinodal)
+{
+    constexpr int nIsotherms = 600;
+    constexpr double fine = 0.0025;
+
+    std::mt19937_64 generator(11);
+    std::uniform_real_distribution<double> uniform(0, 1);
+
+    int answered[2] = {0, 0};
+    for (int k = 0; k < nIsotherms; ++k)
+    {
+        composition::fractions x{{1, 0, 0, 0}};
+        if (k % 3)
+        {
+            const double rest = std::pow(10, -4*uniform(generator));
+            const double amounts[] = {uniform(generator), uniform(generator), uniform(generator)};
+            for (int i = CH4; i < nSpecies; ++i)
+            {
+                x[i] = rest*amounts[i-1]/(amounts[0] + amounts[1] + amounts[2]);
+            }
+            x[N2] = 1 - x[CH4] - x[C2H6] - x[C3H8];
+        }
+        const double T = 105 + uniform(generator)*(range::Tmax - 105);
+        const bool liquid = uniform(generator) < 0.6;
+        const phase ph = liquid ? phase::liquid : phase::gas;
+
+        const helmholtzMixture mixture{composition(x)};
+        const helmholtzMixture::isotherm isotherm(mixture, T);
+
+        // The end of the branch, by a walk in small steps
+        double end = liquid ? isotherm.molarDensity(1e8, ph) : 0.01;
+        double pEnd = 0;
+        double p, slope;
+        double lastSlope = std::numeric_limits<double>::infinity();
+        for (double rho = end; ; rho *= liquid ? 1 - fine : 1 + fine)
+        {
+            isotherm.pressure(rho, p, slope);
+            if (!(slope > 0 && slope < lastSlope))
+            {
+                break;
+            }
+            lastSlope = slope;
+            end = rho;
+            pEnd = p;
+        }
+
+        for (int n = 0; n < 8; ++n)
+        {
+            p = std::max(pEnd, 1e5)*(1 + (uniform(generator) - 0.5)*std::pow(10, -4*uniform(generator)));
+            for (const double guess : {0.0, 0.7*end, 0.9*end, 0.98*end, end, 1.02*end})
+            {
+                double rho;
+                try
+                {
+                    rho = isotherm.molarDensity(p, ph, guess);
+                }
+                catch (const thermoError& refusal)
+                {
+                    // A few per cent before the end at most
+                    ASSERT_EQ(refusal.why(), reason::noSuchPhase);
+                    ASSERT_LT((liquid ? p - pEnd : pEnd - p)/mixture.gasConstant()/T/end, 0.01)
+                        << phaseName(ph) << " " << composition(x).name() << " at " << T << " K, " << p << " Pa";
+                    continue;
+                }
+                ++answered[liquid];
+                ASSERT_TRUE(liquid ? rho > end*(1 - 2*fine) : rho < end*(1 + 2*fine))
+                    << phaseName(ph) << " " << composition(x).name() << " at " << T << " K, " << p << " Pa, guess "
+                    << guess << ": " << rho << " mol/m3 is beyond " << end;
+                ASSERT_NEAR(isotherm.state(p, ph).molarDensity/rho, 1, 1e-6);
+            }
+        }
+    }
+    EXPECT_GT(answered[0], 500);
+    EXPECT_GT(answered[1], 500);
+}

@@ -22,6 +22,8 @@ _SHARES = {"half": 0.5, "quarter": 0.25, "axisymmetric": sin(radians(SECTOR)) / 
 
 # Weber number above which surface tension acts on less than a millionth of the length, which no mesh resolves
 _HIGHEST_WEBER = 1e6
+# A layer is called laminar up to this many times the Reynolds number of transition: over half the length, and more
+_MOSTLY_LAMINAR = 2.0
 # Mach number above which a flow's density changes by more than a twentieth
 _COMPRESSIBLE = 0.3
 
@@ -107,26 +109,28 @@ def mesh(scene: Scene, method: str, modelled: str, asked: str) -> Decision:
     return Decision("overset", "the body moves through the surface")
 
 
-def boundary_layer(scene: Scene, method: str, asked: str, first_layer: float) -> Decision:
-    """What is made of the boundary layer; `first_layer`: thickness of the mesh's first cells [m]."""
-    reynolds, length, transition = scene.reynolds, scene.shape.length, scene.transition
+def boundary_layer(scene: Scene, method: str, asked: str, first_layer: float, affordable: bool) -> Decision:
+    """What is made of the boundary layer; `first_layer`: thickness of the mesh's first cells [m] unless they are made thinner, which is
+    `affordable` or not."""
+    transition = scene.transition
     if method == "particles":
         if asked not in ("auto", "none"):
             raise ParameterError(f"-boundaryLayer {asked}: expected auto or none: plungeSPH has no boundary layer")
         return Decision("none", "plungeSPH has none")
-    needed = boundaryLayer.resolving_layer(reynolds, length)
-    if asked == "laminar" and first_layer > needed:
-        raise ParameterError(
-            f"-boundaryLayer laminar, but the mesh's first layer is {first_layer:.3g} m and a laminar layer at Re = {reynolds:.3g} needs "
-            f"{needed:.3g} m; expected frictionLine, or a finer mesh")
+    of = f"Re = {scene.wetted_reynolds:.3g}" + (" of the length that is wetted" if scene.wetted_length < scene.shape.length else "")
+    needed = boundaryLayer.resolving_layer(scene.wetted_reynolds, scene.wetted_length)
+    resolved = affordable or first_layer <= needed
+    if asked == "laminar" and not resolved:
+        raise ParameterError(f"-boundaryLayer laminar, but the mesh's first layer is {first_layer:.3g} m and a laminar layer at {of} needs "
+                             f"{needed:.3g} m; expected frictionLine, or a finer mesh")
     if asked != "auto":
-        return Decision(asked, f"as asked; Re = {reynolds:.3g}")
-    if reynolds > transition:
-        return Decision("frictionLine", f"Re = {reynolds:.3g}, above transition at {transition:.3g}")
-    below = f"Re = {reynolds:.3g}, not above transition at {transition:.3g}"
-    if first_layer > needed:
+        return Decision(asked, f"as asked; {of}")
+    if scene.wetted_reynolds > _MOSTLY_LAMINAR * transition:
+        return Decision("frictionLine", f"{of}, above transition at {transition:.3g}")
+    below = f"{of}, transition at {transition:.3g}"
+    if not resolved:
         return Decision("frictionLine", f"{below}, but the mesh's first layer is {first_layer:.3g} m and a laminar layer needs {needed:.3g} m")
-    return Decision("laminar", f"{below}, and the mesh resolves the layer")
+    return Decision("laminar", f"{below}: the mesh resolves the layer")
 
 
 def surface_tension(scene: Scene, method: str, asked: str) -> Decision:

@@ -390,7 +390,8 @@ class Scene:
 
 
 def read_scene(case: Path) -> Scene:
-    """What the log says under Scene, at the latest start, and under Run; empty where it says nothing or is not kept."""
+    """What the log says under Scene, at the latest start, with the notes of all runs on what they have shown (under Run, at a run's end);
+    empty where it says nothing or is not kept."""
     if not (case / f"log.{solver_name(case)}").is_file():
         return Scene()
     log = solver_log(case)
@@ -398,8 +399,8 @@ def read_scene(case: Path) -> Scene:
     if not blocks:
         return Scene()
     models = re.search(r"^    models +: (.+)", blocks[-1], re.M)
-    # What a run shows holds for all that went before, too
-    shown = re.findall(r"^Run\n    Note: (.*\S)", log, re.M)
+    # What a run has shown holds for all that went before, too
+    shown = re.findall(r"^(?:Run\n +)?Note: (.*\S)", log, re.M)
     return Scene(models[1].strip() if models else "", tuple(dict.fromkeys([*shown, *re.findall(r"^    Note: (.*\S)", blocks[-1], re.M)])))
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from functools import cached_property
-from math import cos, radians, sin, sqrt
+from math import ceil, cos, radians, sin, sqrt
 from pathlib import Path
 from typing import Any
 
@@ -50,6 +50,11 @@ _TOP = ("body", "fluids", "entry", *_END, *_OTHER)
 _GAP = 0.01
 # Until an event, at most: way in body lengths beyond the gap
 _LONGEST = 4.0
+# Body lengths off the straight path that the room about it has anyway
+_STRAY = 0.15
+# Steps of the path under gravity, at least, and in a radian of its heaving
+_PATH_STEPS = 1000
+_HEAVE_STEPS = 20
 _FRAMES = 10
 # Of the body, its longest [m]
 _SIZES = 1e-3, 100.0
@@ -117,6 +122,17 @@ class Scene:
     def reynolds(self) -> float:
         """Of the liquid, the body's length and its speed."""
         return self.fluids["liquidDensity"] * self.reference_speed * self.shape.length / self.fluids["liquidViscosity"]
+
+    @property
+    def wetted_length(self) -> float:
+        """Of the body, as far as it dips in, if nothing slowed it [m]"""
+        depth = self.shape.length if self.immersed else -float(self.end[2])
+        return min(depth, self.shape.length) if depth > 0 else self.shape.length
+
+    @property
+    def wetted_reynolds(self) -> float:
+        """Of the length that is wetted."""
+        return self.reynolds * self.wetted_length / self.shape.length
 
     @property
     def weber(self) -> float:
@@ -233,14 +249,49 @@ class Scene:
 
     @property
     def end(self) -> np.ndarray:
-        """Of the nose, if nothing slowed the body [m]"""
+        """Of the nose, if nothing slowed the body [m]; where gravity takes it further than that, the furthest it comes to"""
         if self.speed == 0:
             # Falls by its weight, or rises by its buoyancy
             away = 0.5 * self.fluids["gravity"] * self.duration**2
-            return self.nose - [0.0, 0.0, min(away, _LONGEST * self.shape.length + max(0.0, self.lowest))]
-        if "travel" in self.given:
-            return self.nose + self.given["travel"] * self.shape.length * self.heading
-        return self.nose + self.speed * self.duration * self.heading
+            straight = self.nose - [0.0, 0.0, min(away, _LONGEST * self.shape.length + max(0.0, self.lowest))]
+        elif "travel" in self.given:
+            straight = self.nose + self.given["travel"] * self.shape.length * self.heading
+        else:
+            straight = self.nose + self.speed * self.duration * self.heading
+        deepest, highest = self.heights
+        stray = _STRAY * self.shape.length
+        if deepest < min(straight[2], self.nose[2]) - stray:
+            return np.array([*straight[:2], deepest])
+        if highest > max(straight[2], self.nose[2]) + stray:
+            return np.array([*straight[:2], highest])
+        return straight
+
+    @cached_property
+    def heights(self) -> tuple[float, float]:
+        """Of the nose [m], the deepest and the highest, under the weight and the buoyancy of what is in the liquid, which is the share of
+        the body's height; its added mass is about that of a spheroid along its axis or of an ellipse (Lamb 1932), and no drag slows it."""
+        rise = float(self.speed * self.heading[2])
+        nose = float(self.nose[2])
+        if self.freedom in ("fixed", "prescribed"):
+            return min(nose, nose + rise * self.duration), max(nose, nose + rise * self.duration)
+        points, _ = self.shape.surface()
+        z = (points @ self.place)[:, 2]
+        low, height = float(z.min()), float(np.ptp(z))
+        gravity, slenderness = self.fluids["gravity"], min(self.shape.slenderness, 1.0)
+        displaced = self.fluids["liquidDensity"] * self.shape.volume / self.mass
+        added = slenderness if self.shape.dimensions == 2 else 0.5 * slenderness**1.4
+        heave = sqrt(gravity * max(displaced, 1.0) / height)
+        steps = ceil(min(1e5, max(_PATH_STEPS, _HEAVE_STEPS * heave * self.duration)))
+        step = self.duration / steps
+        deepest = highest = nose
+        for _ in range(steps):
+            wet = min(1.0, max(0.0, -(nose + low) / height)) * displaced
+            rise += gravity * (wet - 1) / (1 + added * wet) * step
+            nose += rise * step
+            deepest, highest = min(deepest, nose), max(highest, nose)
+            if self.given.get("until") == "immersed" and nose + low < -2 * height:
+                break
+        return deepest, highest
 
 
 def folder_of(file: Path) -> Path:

@@ -8,6 +8,7 @@ In a run directory that holds a copy of these dictionaries (body/system) and sys
     snappyHexMesh -case body -dict system/refineDict -overwrite
     surfaceFeatureExtract -case body
     snappyHexMesh -case body -overwrite
+    surfaceMeshExtract -case body -constant -patches '(wall)' meshed.stl; plungeBodyMesh -check
     transformPoints -case body -translate snappedTranslation -rollPitchYaw snappedRollPitchYaw
     cp -r body/constant/polyMesh constant
 
@@ -24,7 +25,7 @@ from typing import Any
 import numpy as np
 
 from plunge.stl import write_stl
-from plunge.shapes.surface import Surface
+from plunge.shapes.surface import Surface, SurfaceError, polydata, read_triangles
 
 # Of a mesh without a background: how far it reaches, in body scales, and at least in largest diameters (a sphere's added mass
 # is 0.3 % less than in unbounded fluid).
@@ -40,6 +41,11 @@ _FIRST, _LAST, _EXPANSION = 0.3, 0.5, 1.3
 # Where edges have finer cells than the wall: faces there over the wall's, and cells on each of them beside the layers, from
 # slender bodies with and without wings.
 _EDGE_FACES, _EDGE_CELLS = 2.9, 4
+# Part of a body's volume or area that its mesh may lose
+_MOST_LOST = 0.05
+# Where a body is thinner than this many of the wall's cells, finer ones: one over its thickness, but where it is still thinner on
+# this share of its area, as at a trailing edge, and halved no more often than this.
+_THIN, _THIN_IGNORED, _THIN_HALVINGS = 2, 0.02, 3
 # An edge is sharp from this angle between its triangles on, as in surfaceFeatureExtractDict; a tip where a cone's half angle is
 # below 70 deg: its angles add up to sin(70 deg) of a full turn. Length of the line that marks it, over the body's.
 _SHARP, _TIP, _TIP_LINE = radians(30), 2 * pi * (1 - sin(radians(70))), 1e-3
@@ -79,6 +85,7 @@ def sections(shape: Surface, tier: dict[str, Any], scale: float, resolution: flo
             shells.append([radius, k])
             radius += 4 * spacing / 2 ** (k - 1)
 
+    thin = thin_level(shape, finest / 2**wall)
     points = shape.surface()[0]
     tip = points[points[:, 0].argmin()] * [-1, 1, 1]
 
@@ -105,6 +112,8 @@ def sections(shape: Surface, tier: dict[str, Any], scale: float, resolution: flo
         within = shape.wetted_area * distance + pi * length * distance**2 + 4 / 3 * pi * distance**3
         count += share * within * 7 * 8 ** (k - 1) / spacing**3
     faces = share * shape.wetted_area / (finest / 2**wall) ** 2
+    if thin:
+        count += share * thin_triangles(shape, finest / 2**wall)[1] * 4**thin / (finest / 2**wall) ** 2 * (layers + _EDGE_CELLS)
     count += faces * (_EDGE_FACES * (layers + _EDGE_CELLS) if edge > wall else layers)
     return [("Snapped body mesh", {
         "snappedBox": box,
@@ -113,6 +122,7 @@ def sections(shape: Surface, tier: dict[str, Any], scale: float, resolution: flo
         "snappedNose": [float(x) + 0.0 for x in tip], "snappedNoseReach": 2 * max(shape.nose_radius, finest / 2**nose),
         "snappedShells": shells if shells else [[finest, 0]],
         "snappedWallSpacing": finest / 2**wall, "snappedNoseSpacing": finest / 2**nose,
+        "snappedThin": "yes" if thin else "no", "snappedThinLevel": base + wall + thin, "snappedThinReach": finest / 2**wall,
         "snappedLayers": layers, "snappedFirstLayer": first, "snappedExpansion": _EXPANSION,
         # In a corner cell, off its faces
         "snappedLocation": [float(x - 0.37 * spacing) for x in box[6]],
@@ -120,6 +130,62 @@ def sections(shape: Surface, tier: dict[str, Any], scale: float, resolution: flo
         "snappedReach": float(max(np.hypot(y, z) for _, y, z in box)),
         "snappedEstimatedCells": round(float(count), -2),
     })]
+
+
+def thickness(shape: Surface) -> tuple[np.ndarray, np.ndarray]:
+    """Of the body behind each triangle, along its normal, and the triangle's area [m, m2]."""
+    from vtkmodules.vtkCommonCore import vtkPoints
+    from vtkmodules.vtkFiltersGeneral import vtkOBBTree
+
+    points, triangles = shape.surface()
+    a, b, c = np.moveaxis(points[triangles], 1, 0)
+    normal = np.cross(b - a, c - a)
+    twice = np.linalg.norm(normal, axis=1)
+    inwards = -normal / np.maximum(twice, 1e-300)[:, None]
+    size = np.linalg.norm(np.ptp(points, axis=0))
+    start = (a + b + c) / 3 + 1e-6 * size * inwards
+    tree, hits = vtkOBBTree(), vtkPoints()
+    tree.SetDataSet(polydata(points, triangles))
+    tree.SetTolerance(1e-12)
+    tree.BuildLocator()
+    found = np.full(len(triangles), size)
+    for k, (x, n) in enumerate(zip(start, inwards)):
+        if tree.IntersectWithLine(x, x + size * n, hits, None):
+            found[k] = min(np.linalg.norm(np.subtract(hits.GetPoint(i), x)) for i in range(hits.GetNumberOfPoints()))
+    return found, twice / 2
+
+
+def thin_triangles(shape: Surface, cell: float) -> tuple[np.ndarray, float]:
+    """Which have less than _THIN cells of this size behind them, and their area [m2]."""
+    deep, area = thickness(shape)
+    thin = deep < _THIN * cell
+    return thin, float(area[thin].sum())
+
+
+def thin_level(shape: Surface, cell: float) -> int:
+    """How often cells of this size are halved where the body is thin."""
+    deep, area = thickness(shape)
+    halvings = 0
+    while halvings < _THIN_HALVINGS and area[deep < cell / 2**halvings].sum() > _THIN_IGNORED * area.sum():
+        halvings += 1
+    return halvings
+
+
+def check_meshed(shape: Surface, run: Path, full: bool, spacing: float) -> str:
+    """What of the body's volume and area the mesh has, whose wall surfaceMeshExtract has written to <run>/body/meshed.stl; an
+    error where more than 5 % of either is lost. `spacing` is that of the wall's cells [m]."""
+    points, triangles = read_triangles(run / "body/meshed.stl")
+    a, b, c = np.moveaxis(points[triangles], 1, 0)
+    normal = np.cross(b - a, c - a) / 2
+    share = 1.0 if full else 0.5
+    # By the flux of (0, y, 0), none of which passes through the plane of symmetry
+    volume = abs(float(normal[:, 1] @ (a + b + c)[:, 1] / 3)) / (share * shape.volume)
+    area = float(np.linalg.norm(normal, axis=1).sum()) / (share * shape.wetted_area)
+    said = f"the mesh has {100 * volume:.4g} % of the body's volume and {100 * area:.4g} % of its area"
+    if min(volume, area) < 1 - _MOST_LOST:
+        raise SurfaceError(f"{shape.file}: {said}: parts of it are too thin for cells of {spacing:.3g} m at the wall; expected at least "
+                           f"{100 * (1 - _MOST_LOST):g} %: a higher -resolution or -tier, or thicker parts")
+    return said
 
 
 def place(forward: np.ndarray, dorsal: np.ndarray, nose: np.ndarray) -> dict[str, list[float]]:
@@ -161,11 +227,15 @@ def tips(points: np.ndarray, triangles: np.ndarray) -> np.ndarray:
     return both[np.unique(both[:, 0], return_index=True)[1]]
 
 
-def write_surface(shape: Surface, run: Path) -> None:
-    """Write what is meshed, in the body's frame, to <run>/body/constant/triSurface: body.stl and, of its tips, tips.eMesh."""
+def write_surface(shape: Surface, run: Path, cell: float) -> None:
+    """Write what is meshed, in the body's frame, to <run>/body/constant/triSurface: body.stl, of it thin.stl where it is thin for
+    cells of this size [m], if it is anywhere, and, of its tips, tips.eMesh."""
     points, triangles = shape.surface()
     points, folder = points * [-1, 1, 1], run / "body/constant/triSurface"
     write_stl(folder / "body.stl", points, triangles[:, ::-1])
+    thin, _ = thin_triangles(shape, cell)
+    if thin.any():
+        write_stl(folder / "thin.stl", points, triangles[thin, ::-1])
 
     # Lines that are short, for the mesh follows them: it is their first points that matter
     found = tips(points, triangles)

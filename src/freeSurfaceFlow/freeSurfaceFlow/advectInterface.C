@@ -15,6 +15,11 @@ void Foam::freeSurfaceFlow::advectInterface()
         mixture_.alpha2() = scalar(1) - mixture_.alpha1();
     }
 
+    if (alphaPhiUn_)
+    {
+        alphaPhiUn_() = scheme_->alphaPhi();
+    }
+
     rho_ ==
         mixture_.alpha1()*mixture_.rho1() + mixture_.alpha2()*mixture_.rho2();
 

@@ -214,9 +214,9 @@ void Foam::freeSurfaceFlow::checkCorrections() const
     for (const word name : {"nOuterCorrectors", "nCorrectors"})
     {
         const label n = pimple.getOrDefault<label>(name, 1);
-        if (n < 1)
+        if (n < 1 && !(name == "nCorrectors" && isGiven()))
         {
-            refuseEntry(pimple, name, text("is ", n), "a whole number, at least 1.");
+            refuseEntry(pimple, name, text("is ", n), "a whole number, at least 1; nCorrectors -1 for a flow that is given, without a body.");
         }
     }
     const label n = pimple.getOrDefault<label>("nNonOrthogonalCorrectors", 0);
@@ -239,6 +239,10 @@ void Foam::freeSurfaceFlow::checkCorrections() const
 
 void Foam::freeSurfaceFlow::checkDiffusion() const
 {
+    if (isGiven())
+    {
+        return;
+    }
     const label n = pimple_.dict().getOrDefault<label>("nCorrectors", 1);
     const scalar D = diffusionNumber();
     if (D > runGuard::largestDiffusion(n))
@@ -251,6 +255,12 @@ void Foam::freeSurfaceFlow::checkDiffusion() const
             text("3, or a shorter deltaT: a diffusion number of at most ", runGuard::largestDiffusion(n), '.')
         );
     }
+}
+
+
+bool Foam::freeSurfaceFlow::isGiven() const
+{
+    return !body_ && pimple_.dict().getOrDefault<label>("nCorrectors", 1) < 0;
 }
 
 

@@ -33,6 +33,10 @@ Foam::scalar Foam::freeSurfaceFlow::diffusionNumber() const
 void Foam::freeSurfaceFlow::checkLastStep()
 {
     checkCorrections();
+    if (isGiven())
+    {
+        return;
+    }
     guard_->checkSolvers();
     guard_->checkDiffusion
     (
@@ -55,6 +59,10 @@ void Foam::freeSurfaceFlow::checkLastStep()
 
 void Foam::freeSurfaceFlow::checkFixedStep(const scalar Co)
 {
+    if (isGiven())
+    {
+        return;
+    }
     const scalar largest = runGuard::largestCourant(nCorrections());
     if (time_.timeIndex() == time_.startTimeIndex() && Co > largest)
     {

@@ -98,6 +98,12 @@ void Foam::freeSurfaceFlow::chooseTimeStep(Time& time)
     }
     renewAfterWrite();
 
+    if (rDeltaT_.valid())
+    {
+        chooseLocalTimeSteps();
+        return;
+    }
+
     const dictionary& control = time.controlDict();
 
     const scalar Co = courantNumber("Courant Number", phi_, nullptr);

@@ -219,8 +219,52 @@ void Foam::freeSurfaceFlow::correctPressure()
         (
             fvm::laplacian(rAUf, p_rgh_) == fvc::div(phiHbyA)
         );
-        p_rghEqn.setReference(pRefCell_, getRefCellValue(p_rgh_, pRefCell_));
-        p_rghEqn.solve(mesh_.solver(p_rgh_.select(pimple_.finalInnerIter())));
+        const auto solvePressure = [&]
+        {
+            p_rghEqn.setReference(pRefCell_, getRefCellValue(p_rgh_, pRefCell_));
+            p_rghEqn.solve(mesh_.solver(p_rgh_.select(pimple_.finalInnerIter())));
+        };
+        solvePressure();
+
+        // In a closed domain the fluid that the interpolation between zones
+        // makes or takes has nowhere to go: the cell that is the reference
+        // would be its source. It is spread over the flow. That source is
+        // linear in what is spread, so that two more solutions make it zero
+        if (composite_.isOverset() && p_rgh_.needReference())
+        {
+            const scalarField calculated(composite_.calculatedCells()*mesh_.V().field());
+            const auto source = [&](const scalar spread)
+            {
+                const scalarField div(fvc::div(phiHbyA - p_rghEqn.flux())().primitiveField());
+                return returnReduce
+                (
+                    pRefCell_ == -1 ? 0 : (div[pRefCell_] - spread)*mesh_.V()[pRefCell_],
+                    sumOp<scalar>()
+                );
+            };
+            const auto solveWith = [&](const scalar spread)
+            {
+                p_rghEqn =
+                    fvScalarMatrix
+                    (
+                        fvm::laplacian(rAUf, p_rgh_) == fvc::div(phiHbyA)
+                    );
+                p_rghEqn.source() -= spread*calculated;
+                solvePressure();
+            };
+
+            const scalar volume = gSum(calculated);
+            const scalar first = source(0);
+            if (mag(first) > SMALL*volume)
+            {
+                const scalar guess = first/volume;
+                solveWith(guess);
+                const scalar slope = (first - source(guess))/guess;
+
+                // Zones that overlap too little leave it where it is
+                solveWith(slope > 0.1*volume ? first/slope : 0);
+            }
+        }
 
         if (pimple_.finalNonOrthogonalIter())
         {
@@ -238,6 +282,7 @@ void Foam::freeSurfaceFlow::correctPressure()
                *reconstruct(correctorTerms_->nByrAUf, dPhi);
             composite_.mask(U_);
             U_.correctBoundaryConditions();
+            composite_.settle(U_);
             fvOptions_.correct(U_);
         }
     }

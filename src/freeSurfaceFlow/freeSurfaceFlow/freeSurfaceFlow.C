@@ -2,10 +2,10 @@
 
 #include "freeSurfaceFlow.H"
 #include "findRefCell.H"
+#include "functionObject.H"
 #include "fvc.H"
 #include "gravityMeshObject.H"
 #include "inputChecks.H"
-#include "localEulerDdtScheme.H"
 #include "restart.H"
 #include "uniformDimensionedFields.H"
 #include "profiling.H"
@@ -27,6 +27,19 @@ IOobject readField(const word& name, const fvMesh& mesh)
         IOobject::MUST_READ,
         IOobject::AUTO_WRITE
     );
+}
+
+//- Do function objects look up the flux of the liquid? scalarTransport with the
+//  entry phase does, under the name alphaPhiUn
+bool namesLiquidFlux(const dictionary& controlDict)
+{
+    OStringStream os;
+    os  << controlDict.subOrEmptyDict("functions");
+    const std::string functions(os.str());
+
+    return
+        functions.find("scalarTransport") != std::string::npos
+     || functions.find("alphaPhiUn") != std::string::npos;
 }
 
 } // End anonymous namespace
@@ -86,6 +99,7 @@ Foam::freeSurfaceFlow::freeSurfaceFlow(dynamicFvMesh& mesh)
     scene_(mesh),
     pimple_(mesh),
     composite_(mesh),
+    rDeltaT_(newLocalTimeSteps()),
     body_(scene_.hasBody() ? new bodyMotion(mesh) : nullptr),
     addedMass_(body_ && addedMassTensor::isWanted(body_()) ? new addedMassTensor(mesh, body_()) : nullptr),
     p_rgh_(readField("p_rgh", mesh), mesh),
@@ -133,6 +147,16 @@ Foam::freeSurfaceFlow::freeSurfaceFlow(dynamicFvMesh& mesh)
             }
         )
     ),
+    alphaPhiUn_
+    (
+        functionObject::postProcess || namesLiquidFlux(time_.controlDict())
+      ? new surfaceScalarField
+        (
+            IOobject("alphaPhiUn", time_.timeName(), mesh),
+            scheme_->alphaPhi()
+        )
+      : nullptr
+    ),
     fringeVolume_
     (
         scene_.conservesFringe()
@@ -157,6 +181,11 @@ Foam::freeSurfaceFlow::freeSurfaceFlow(dynamicFvMesh& mesh)
     rAU_(),
     cumulativeContinuityError_(0),
     longestDeltaT_(0),
+    repeats_(body_ && body_->integrator().getOrDefault<word>("type", word::null) == "addedMass"),
+    nRepeats_(0),
+    nUnbalanced_(0),
+    worstBalance_(0),
+    worstTime_(0),
     guard_()
 {
     if (scene_.slips())
@@ -189,6 +218,11 @@ Foam::freeSurfaceFlow::freeSurfaceFlow(dynamicFvMesh& mesh)
         );
     }
 
+    if (functionObject::postProcess)
+    {
+        return;
+    }
+
     // A restart has its flux; only a first start may lack continuity
     const bool restarted = restart::isFrom(mesh_);
     if (!restarted && scene_.potentialStart())
@@ -214,7 +248,7 @@ Foam::freeSurfaceFlow::freeSurfaceFlow(dynamicFvMesh& mesh)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::freeSurfaceFlow::check() const
+void Foam::freeSurfaceFlow::check()
 {
     restart::check(mesh_, scene_.hasBody());
     checkFluids();
@@ -234,17 +268,6 @@ void Foam::freeSurfaceFlow::check() const
         refuseEntry(scene_.dict(), "initialFlow", "is potential, but the scene has no body", "fields.");
     }
 
-    if (fv::localEulerDdt::enabled(mesh_))
-    {
-        refuseEntry
-        (
-            mesh_.schemesDict().subDict("ddtSchemes"),
-            "default",
-            "is localEuler",
-            "a scheme that is accurate in time."
-        );
-    }
-
     const dictionary& dict = pimple_.dict();
     if (dict.lookupOrDefault<bool>("massFluxInterpolation", false))
     {
@@ -258,7 +281,7 @@ void Foam::freeSurfaceFlow::check() const
             readPositive(time_.controlDict(), name, "a positive Courant number.");
         }
         const scalar largest = runGuard::largestCourant(nCorrections());
-        if (time_.controlDict().get<scalar>("maxCo") > largest)
+        if (!isGiven() && time_.controlDict().get<scalar>("maxCo") > largest)
         {
             refuseEntry
             (
@@ -293,8 +316,54 @@ void Foam::freeSurfaceFlow::setPressureReference()
     {
         p_ = p_rgh_ + rho_*buoyancy_->gh;
     }
-    setRefCell(p_, p_rgh_, pimple_.dict(), pRefCell_, pRefValue_);
+    if (composite_.isOverset() && p_rgh_.needReference())
+    {
+        const point reference(pressureReference());
+        // A body may come over it later
+        const bool mayBeCovered =
+            restart::isFrom(mesh_) && composite_.backgroundBounds().contains(reference);
+        if (!mayBeCovered && !composite_.isInFlow(reference))
+        {
+            refuseEntry
+            (
+                pimple_.dict(),
+                pimple_.dict().found("pRefCell") ? "pRefCell" : "pRefPoint",
+                text("sets the pressure's reference at ", reference, ", where there is no fluid"),
+                "a place in the fluids, in no body."
+            );
+        }
+        pRefValue_ = pimple_.dict().get<scalar>("pRefValue");
+        pRefCell_ = composite_.calculatedCell(reference);
+    }
+    else
+    {
+        setRefCell(p_, p_rgh_, pimple_.dict(), pRefCell_, pRefValue_);
+    }
     setPressure();
+}
+
+
+Foam::point Foam::freeSurfaceFlow::pressureReference() const
+{
+    const dictionary& dict = pimple_.dict();
+    if (!dict.found("pRefCell"))
+    {
+        return dict.get<point>("pRefPoint");
+    }
+
+    // As in OpenFOAM, a cell of the first processor
+    point centre(Zero);
+    if (Pstream::master())
+    {
+        const label celli = dict.get<label>("pRefCell");
+        if (celli < 0 || celli >= mesh_.nCells())
+        {
+            refuseEntry(dict, "pRefCell", text("is ", celli), text("a cell from 0 to ", mesh_.nCells() - 1, "."));
+        }
+        centre = mesh_.cellCentres()[celli];
+    }
+    Pstream::scatter(centre);
+    return centre;
 }
 
 

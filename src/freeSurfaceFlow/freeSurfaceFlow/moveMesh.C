@@ -2,7 +2,40 @@
 
 #include "freeSurfaceFlow.H"
 #include "fvc.H"
+#include "inputChecks.H"
 #include "profiling.H"
+#include "stopAfterWriting.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::freeSurfaceFlow::checkMotion() const
+{
+    const scalarField& V = mesh_.V().field();
+    const label smallest = V.size() ? findMin(V) : -1;
+    if (gMin(V) <= 0)
+    {
+        point where(point::max);
+        if (smallest != -1 && V[smallest] <= 0)
+        {
+            where = mesh_.cellCentres()[smallest];
+        }
+        stopAfterWriting
+        (
+            mesh_,
+            text
+            (
+                "The motion has turned cells inside out, the worst at ", returnReduce(where, minOp<point>()),
+                ": the body is too near to another boundary, or has moved too far for its mesh."
+            ),
+            "a body that keeps away from the boundaries: where its mesh is not rigid, by more than innerDistance of"
+            " constant/dynamicMeshDict."
+        );
+    }
+    composite_.checkZones();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::freeSurfaceFlow::moveMesh()
 {
@@ -14,9 +47,25 @@ void Foam::freeSurfaceFlow::moveMesh()
         return;
     }
 
-    if (addedMass_ && pimple_.firstIter() && addedMass_->isDue())
+    const bool isNew = pimple_.firstIter() && nRepeats_ == 0;
+    if (addedMass_ && isNew && addedMass_->isDue())
     {
-        addedMass_->solve(rho_, p_rgh_, potentialTypes(), pimple_.nNonOrthCorr());
+        addedMass_->solve(rho_, p_rgh_, potentialTypes(), pimple_.nNonOrthCorr(), pRefCell_);
+    }
+    if (body_ && isNew)
+    {
+        body_->startStep();
+    }
+    if (repeats_)
+    {
+        // What a step that is solved again starts from
+        phi_.oldTime();
+        U_.oldTime();
+        mixture_.alpha1().oldTime();
+        if (Uf_)
+        {
+            Uf_().oldTime();
+        }
     }
 
     // Of the first step of a run as of every other
@@ -44,6 +93,11 @@ void Foam::freeSurfaceFlow::moveMesh()
     MRF_.update();
 
     composite_.update();
+    checkMotion();
+    if (composite_.isOverset() && p_rgh_.needReference())
+    {
+        pRefCell_ = composite_.calculatedCell(pressureReference());
+    }
     if (composite_.isOverset() || c.correctPhi)
     {
         composite_.setUncovered(Uf_(), U_);
@@ -55,6 +109,7 @@ void Foam::freeSurfaceFlow::moveMesh()
         composite_.mask(phi_);
         composite_.mask(U_);
         fvc::makeRelative(phi_, U_);
+        scheme_->meshMoved();
     }
 }
 

@@ -9,6 +9,7 @@
 #include "fvm.H"
 #include "gaussConvectionScheme.H"
 #include "inputChecks.H"
+#include "localEulerDdtScheme.H"
 #include "upwind.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -47,7 +48,11 @@ Foam::scalar Foam::interfaceSchemes::MULES::offCentring() const
         fv::ddtScheme<scalar>::New(mesh_, mesh_.ddtScheme("ddt(alpha)"))
     );
 
-    if (isType<fv::EulerDdtScheme<scalar>>(scheme()))
+    if
+    (
+        isType<fv::EulerDdtScheme<scalar>>(scheme())
+     || isType<fv::localEulerDdtScheme<scalar>>(scheme())
+    )
     {
         return 0;
     }
@@ -80,7 +85,7 @@ Foam::scalar Foam::interfaceSchemes::MULES::offCentring() const
     (
         mesh_.schemesDict().subDict("ddtSchemes"),
         text("Entry ddt(alpha) (or default) is ", scheme().type()),
-        "Euler or CrankNicolson for the interface scheme MULES."
+        "Euler, localEuler or CrankNicolson for the interface scheme MULES."
     );
     return 0;
 }
@@ -158,7 +163,11 @@ void Foam::interfaceSchemes::MULES::predict
 {
     fvScalarMatrix eqn
     (
-        fv::EulerDdtScheme<scalar>(mesh_).fvmDdt(alpha1_)
+        (
+            fv::localEulerDdt::enabled(mesh_)
+          ? fv::localEulerDdtScheme<scalar>(mesh_).fvmDdt(alpha1_)
+          : fv::EulerDdtScheme<scalar>(mesh_).fvmDdt(alpha1_)
+        )
       + fv::gaussConvectionScheme<scalar>
         (
             mesh_,
@@ -218,7 +227,12 @@ void Foam::interfaceSchemes::MULES::advance()
 
     for (label corr = 0; corr < nCorr; ++corr)
     {
-        f_.interface->correct();
+        // With contact angles the normals are those that the last step, or
+        // correction, has found
+        if (!contactAngles_ || (implicit && corr == 0))
+        {
+            f_.interface->correct();
+        }
         const surfaceScalarField phir(phic*f_.interface->nHatf());
 
         tmp<surfaceScalarField> tunbounded
@@ -297,6 +311,11 @@ void Foam::interfaceSchemes::MULES::advance()
         }
 
         alpha2_ = 1 - alpha1_;
+
+        if (contactAngles_)
+        {
+            f_.interface->correct();
+        }
     }
 
     if (reuse && implicit)
@@ -320,10 +339,11 @@ void Foam::interfaceSchemes::MULES::advect()
     const scalar oc = offCentring();
     const scalar cn = 1/(1 + oc);
 
+    const word scheme(mesh_.ddtScheme("ddt(rho,U)"));
     if
     (
-        word(mesh_.ddtScheme("ddt(rho,U)"))
-     == fv::EulerDdtScheme<vector>::typeName
+        scheme == fv::EulerDdtScheme<vector>::typeName
+     || scheme == fv::localEulerDdtScheme<vector>::typeName
     )
     {
         setRhoPhi(centredPhi(cn)());

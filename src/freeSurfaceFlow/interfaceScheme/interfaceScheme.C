@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "interfaceScheme.H"
+#include "alphaContactAngleTwoPhaseFvPatchScalarField.H"
 #include "inputChecks.H"
 #include "isoAdvectorScheme.H"
 #include "restart.H"
 #include "fvc.H"
+#include "localEulerDdtScheme.H"
 #include "subCycle.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -14,6 +16,26 @@ namespace Foam
     defineTypeNameAndDebug(interfaceScheme, 0);
     defineRunTimeSelectionTable(interfaceScheme, dictionary);
 }
+
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+bool hasContactAngles(const Foam::volScalarField& alpha)
+{
+    for (const auto& p : alpha.boundaryField())
+    {
+        if (Foam::isA<Foam::alphaContactAngleTwoPhaseFvPatchScalarField>(p))
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+} // End anonymous namespace
 
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -28,7 +50,8 @@ Foam::interfaceScheme::interfaceScheme(const fields& f)
     (
         restart::field(IOobject::groupName("alphaPhi0", alpha1_.group()), mesh_),
         f.phi*fvc::interpolate(alpha1_)
-    )
+    ),
+    contactAngles_(f.interface && hasContactAngles(alpha1_))
 {}
 
 
@@ -68,6 +91,13 @@ void Foam::interfaceScheme::subCycle()
 
     const dimensionedScalar deltaT(mesh_.time().deltaT());
     surfaceScalarField meanAlphaPhi("meanAlphaPhi", 0*alphaPhi_);
+
+    // Registered by its name, for the time scheme
+    tmp<volScalarField> rSubDeltaT;
+    if (fv::localEulerDdt::enabled(mesh_))
+    {
+        rSubDeltaT = fv::localEulerDdt::localRSubDeltaT(mesh_, nSubCycles);
+    }
 
     for
     (

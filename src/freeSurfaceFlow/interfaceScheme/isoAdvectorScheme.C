@@ -2,7 +2,9 @@
 
 #include "isoAdvectorScheme.H"
 #include "addToRunTimeSelectionTable.H"
+#include "foamVersion.H"
 #include "fvc.H"
+#include "inputChecks.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -23,6 +25,27 @@ Foam::interfaceSchemes::isoAdvector::isoAdvector(const fields& f)
     interfaceScheme(f),
     advector_(alpha1_, f.phi, f.U)
 {
+    #if OPENFOAM < 2006
+    const word reconstruction
+    (
+        controls().lookupOrDefault<word>("reconstructionScheme", "isoAlpha")
+    );
+    if (reconstruction != "isoAlpha")
+    {
+        refuseEntry
+        (
+            controls(),
+            "reconstructionScheme",
+            text
+            (
+                "is ", reconstruction, ", which OpenFOAM v", OPENFOAM,
+                " does not have"
+            ),
+            "isoAlpha, the only one before OpenFOAM v2006."
+        );
+    }
+    #endif
+
     if (f.composite.isOverset())
     {
         FatalErrorInFunction
@@ -44,7 +67,7 @@ void Foam::interfaceSchemes::isoAdvector::advance()
         f_.U -= fvc::reconstruct(mesh_.phi());
     }
 
-    advector_.advect();
+    foamVersion::advect(advector_);
 
     if (mesh_.moving())
     {
@@ -58,6 +81,11 @@ void Foam::interfaceSchemes::isoAdvector::advance()
         dimensionedScalar(dimless, Zero)
     );
     alpha2_ = 1 - alpha1_;
+
+    if (contactAngles_)
+    {
+        f_.interface->correct();
+    }
 }
 
 

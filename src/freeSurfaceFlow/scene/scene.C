@@ -4,6 +4,7 @@
 #include "bodyMotion.H"
 #include "dynamicOversetFvMesh.H"
 #include "inputChecks.H"
+#include "motionSolver.H"
 #include "staticFvMesh.H"
 #include "Switch.H"
 #include "turbulenceModel.H"
@@ -51,6 +52,20 @@ word motionOf(const fvMesh& mesh)
 }
 
 
+//- What else than OpenFOAM's sixDoFRigidBodyMotion moves a body; empty without one
+word otherBody(const fvMesh& mesh)
+{
+    for (const motionSolver* solver : mesh.lookupClass<motionSolver>())
+    {
+        if (solver->type().find("rigidBodyMotion") == 0)
+        {
+            return solver->type();
+        }
+    }
+    return word::null;
+}
+
+
 word simulationType(const fvMesh& mesh)
 {
     const word name(turbulenceModel::propertiesName);
@@ -68,6 +83,51 @@ word simulationType(const fvMesh& mesh)
     );
     return dict.get<word>("simulationType");
 }
+
+//- The controls of the volume fraction, whose phase has no name yet
+const dictionary& alphaControls(const fvMesh& mesh)
+{
+    for (const entry& e : mesh.solutionDict().subOrEmptyDict("solvers"))
+    {
+        if (e.isDict() && e.keyword().substr(0, 5) == "alpha")
+        {
+            return mesh.solutionDict().subDict("solvers").subDict(e.keyword());
+        }
+    }
+    return dictionary::null;
+}
+
+
+//- interFoam's scheme, or interIsoFoam's where the case has controls that are
+//  read by isoAdvection alone, or lacks the one that MULES cannot do without
+word interfaceOf(const dictionary& dict, const fvMesh& mesh)
+{
+    if (dict.found("interface"))
+    {
+        return dict.get<word>("interface");
+    }
+
+    const dictionary& controls = alphaControls(mesh);
+    for
+    (
+        const word name :
+        {
+            "isoFaceTol", "surfCellTol", "gradAlphaNormal", "nAlphaBounds",
+            "snapTol", "clip", "reconstructionScheme"
+        }
+    )
+    {
+        if (controls.found(name))
+        {
+            return "isoAdvector";
+        }
+    }
+    return
+        controls.found("nAlphaSubCycles") && !controls.found("nAlphaCorr")
+      ? "isoAdvector"
+      : "MULES";
+}
+
 
 scene::boundaryLayerType boundaryLayerOf(const dictionary& dict)
 {
@@ -107,12 +167,13 @@ Foam::scene::scene(const fvMesh& mesh)
         )
     ),
     hasBody_(bodyMotion::found(mesh)),
+    otherBody_(otherBody(mesh)),
     meshMotion_(motionOf(mesh)),
     gravity_(dict_.lookupOrDefault<Switch>("gravity", true)),
     surfaceTension_(dict_.lookupOrDefault<Switch>("surfaceTension", true)),
     boundaryLayer_(boundaryLayerOf(dict_)),
     simulationType_(simulationType(mesh)),
-    interface_(dict_.lookupOrDefault<word>("interface", "MULES")),
+    interface_(interfaceOf(dict_, mesh)),
     initialFlow_(readChoice(initialFlowTypeNames, dict_, "initialFlow", initialFlowType::fields)),
     fringe_(readChoice(fringeTypeNames, dict_, "fringe", fringeType::interpolated))
 {
@@ -204,7 +265,7 @@ void Foam::scene::print(Ostream& os) const
 {
     auto onOff = [](const bool b) { return b ? "on" : "off"; };
 
-    os  << "body " << (hasBody_ ? "sixDoF" : "none")
+    os  << "body " << (hasBody_ ? "sixDoF" : otherBody_.empty() ? "none" : (otherBody_ + ", whose loads are not reported").c_str())
         << ", mesh motion " << meshMotion_
         << ", interface " << interface_
         << ", gravity " << onOff(gravity_)

@@ -3,6 +3,7 @@
 #include "boxShape.H"
 
 #include "addToRunTimeSelectionTable.H"
+#include "foamVersion.H"
 #include "inputChecks.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -86,7 +87,8 @@ Foam::shape::polygons Foam::boxShape::outline() const
 
 Foam::shape::polygons Foam::outlineOf(const boundBox& box, const int dim)
 {
-    return {pointField(box.points()), dim == 2 ? faceList(1, boundBox::faces[5]) : faceList(boundBox::faces)};
+    const faceList& faces = foamVersion::hexFaces<boundBox>();
+    return {pointField(box.points()), dim == 2 ? faceList(1, faces[5]) : faces};
 }
 
 // ************************************************************************* //

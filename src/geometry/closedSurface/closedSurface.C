@@ -9,9 +9,11 @@
 #include "Map.H"
 #include "OSspecific.H"
 #include "momentOfInertia.H"
-#include "orientedSurface.H"
-#include "triSurfaceSearch.H"
+#include "surfaceParts.H"
 #include "triSurfaceTools.H"
+
+#include <cstdint>
+#include <fstream>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -68,6 +70,18 @@ fileName surfaceFile(const dictionary& dict, const fileName& caseDirectory)
     return file;
 }
 
+//- What triSurface is to read a file as: a binary STL is as long as its triangles say, and OpenFOAM takes one whose header starts
+//  with "solid" for text
+word formatOf(const fileName& file)
+{
+    const word format(file.ext());
+    std::ifstream is(file, std::ios::binary);
+    std::uint32_t n = 0;
+    is.seekg(80);
+    is.read(reinterpret_cast<char*>(&n), sizeof(n));
+    return format == "stl" && is && fileSize(file) == 84 + 50*off_t(n) ? "stlb" : format;
+}
+
 } // End anonymous namespace
 
 
@@ -77,17 +91,17 @@ Foam::closedSurface::closedSurface(const dictionary& dict, const setting& where)
 :
     shape(where),
     file_(surfaceFile(dict, where.caseDirectory)),
-    surface_(file_)
+    surface_(file_, formatOf(file_))
 {
     checkKeywords(dict, {"name", "type", "file"});
     checkWatertight(dict);
+    orient(dict);
     const boundBox box(surface_.points(), false);
     outline_ = {surface_.points(), faceList(surface_.size())};
     forAll(surface_, i)
     {
         outline_.faces[i] = surface_[i].triFaceFace();
     }
-    orientedSurface::orient(surface_, triSurfaceSearch(surface_), box.max() + box.span(), true);
     if (dim_ == 2)
     {
         cut(dict);
@@ -145,10 +159,59 @@ void Foam::closedSurface::checkWatertight(const dictionary& dict) const
             (
                 "Entry file: ", file_, " leaks: ", nOpen, " of its ", surface_.nEdges(),
                 " edges have not exactly two triangles; the first, from ", surface_.localPoints()[e.start()], " to ",
-                surface_.localPoints()[e.end()], ", has ", surface_.edgeFaces()[first].size()
+                surface_.localPoints()[e.end()], ", has ", surface_.edgeFaces()[first].size(), ", from 0 the triangles ",
+                surfaceParts::runs(labelList(surface_.edgeFaces()[first]))
             ),
             "a watertight surface."
         );
+    }
+}
+
+
+void Foam::closedSurface::orient(const dictionary& dict)
+{
+    const surfaceParts parts(surface_);
+    if (parts.twisted() >= 0)
+    {
+        refuse
+        (
+            dict,
+            text("Entry file: ", file_, " has one side only: triangle ", parts.twisted(), " cannot be turned like its neighbours"),
+            "a surface with an inside."
+        );
+    }
+    if (parts.crossing().size())
+    {
+        refuse
+        (
+            dict,
+            text
+            (
+                "Entry file: ", file_, ", of ", parts.nParts(), " closed part(s), passes through itself: ",
+                parts.crossing().size(), " of its ", surface_.size(), " triangles do, from 0 the triangles ",
+                surfaceParts::runs(parts.crossing()), ", the first at ",
+                surface_[parts.crossing()[0]].centre(surface_.points())
+            ),
+            "one closed surface: unite its parts in the program that made the file."
+        );
+    }
+    if (parts.turned().size())
+    {
+        Info<< "Surface " << file_ << ": " << parts.turned().size() << " of " << surface_.size()
+            << " triangles turned, they were wound inwards: from 0 the triangles "
+            << surfaceParts::runs(parts.turned()).c_str() << endl;
+    }
+    if (parts.dropped().size())
+    {
+        Info<< "Surface " << file_ << ": part(s) inside another left out, for what moves is solid: from 0 the triangles "
+            << surfaceParts::runs(parts.dropped()).c_str() << endl;
+    }
+    surface_ = parts.surface();
+    const boundBox box(surface_.points(), false);
+    const scalar volume = insideOf(surface_).volume;
+    if (!(volume > 1e-9*pow3(box.mag())))
+    {
+        refuse(dict, text("Entry file: ", file_, " encloses ", volume, " m3"), "the surface of a solid.");
     }
 }
 

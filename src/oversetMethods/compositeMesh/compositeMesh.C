@@ -3,13 +3,17 @@
 #include "compositeMesh.H"
 #include "cellCellStencilObject.H"
 #include "dynamicOversetFvMesh.H"
+#include "foamVersion.H"
 #include "fvc.H"
 #include "fvm.H"
 #include "fvMatrices.H"
 #include "localMin.H"
+#include "inputChecks.H"
 #include "mapDistribute.H"
 #include "oversetFvPatch.H"
 #include "processorFvPatchField.H"
+#include "rigidZonesCellCellStencil.H"
+#include "stopAfterWriting.H"
 #include "zeroGradientFvPatchFields.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -27,11 +31,12 @@ void exchange(const fvMesh& mesh)
 
     for (const fieldType* field : mesh.lookupClass<fieldType>())
     {
-        dynamicOversetFvMesh::correctBoundaryConditions
+        foamVersion::correctBoundariesOf
         <
+            dynamicOversetFvMesh,
             fieldType,
             processorFvPatchField<Type>
-        >(const_cast<fieldType*>(field)->boundaryFieldRef(false), true);
+        >(const_cast<fieldType&>(*field));
     }
 }
 
@@ -59,7 +64,9 @@ Foam::compositeMesh::masks::masks(const fvMesh& mesh)
     (
         IOobject("faceMaskOld", mesh.time().timeName(), mesh, IOobject::NO_READ, IOobject::NO_WRITE, false),
         face
-    )
+    ),
+    straysAtStart(),
+    nInterpolations(1)
 {}
 
 
@@ -76,8 +83,10 @@ Foam::compositeMesh::compositeMesh(const fvMesh& mesh)
     // The mesh loads its stencil, but fills it only when it first moves
     const_cast<cellCellStencilObject&>(Stencil::New(mesh_)).update();
 
-    doNotInterpolate({masks_->cell.name()});
+    // The last two only as they are written
+    doNotInterpolate({masks_->cell.name(), "cellTypes", "zoneID"});
     setCellMask();
+    setInterpolations();
     masks_->cell.oldTime();
     masks_->face = localMin<scalar>(mesh_).interpolate(masks_->cell);
     masks_->faceOld = masks_->face;
@@ -93,9 +102,44 @@ void Foam::compositeMesh::setCellMask()
 
     forAll(mask, celli)
     {
-        mask[celli] = (types[celli] == cellCellStencil::HOLE ? 0 : 1);
+        mask[celli] = (foamVersion::isHole<cellCellStencil>(types[celli]) ? 0 : 1);
     }
     masks_->cell.correctBoundaryConditions();
+}
+
+
+void Foam::compositeMesh::setInterpolations()
+{
+    const cellCellStencil& stencil = Stencil::New(mesh_);
+    const labelUList& types = stencil.cellTypes();
+
+    // Steps from calculated cells. Rings of acceptors that take from each other
+    // have no end: they are left after a few
+    const label most = 4;
+    labelList steps(mesh_.nCells());
+    forAll(steps, celli)
+    {
+        steps[celli] = types[celli] == cellCellStencil::INTERPOLATED;
+    }
+    label& longest = masks_->nInterpolations;
+    label before = 0;
+    for (longest = 1; longest > before && longest < most; )
+    {
+        before = longest;
+        labelList known(steps);
+        stencil.cellInterpolationMap().distribute(known);
+        for (const label celli : stencil.interpolationCells())
+        {
+            if (steps[celli])
+            {
+                for (const label slot : stencil.cellStencil()[celli])
+                {
+                    steps[celli] = max(steps[celli], min(known[slot] + 1, most));
+                }
+            }
+        }
+        longest = max(before, gMax(steps));
+    }
 }
 
 
@@ -190,7 +234,7 @@ Foam::tmp<Foam::scalarField> Foam::compositeMesh::calculatedCells() const
     forAll(calculated, celli)
     {
         calculated[celli] =
-            (types[celli] == cellCellStencil::CALCULATED ? 1 : 0);
+            (foamVersion::isCalculated<cellCellStencil>(types[celli]) ? 1 : 0);
     }
     return tcalculated;
 }
@@ -210,19 +254,9 @@ Foam::tmp<Foam::scalarField> Foam::compositeMesh::donorCells() const
             used[slot] = 1;
         }
     }
-    mapDistributeBase::distribute
+    foamVersion::reverseCombine<mapDistributeBase>
     (
-        Pstream::commsTypes::nonBlocking,
-        List<labelPair>(),
-        mesh_.nCells(),
-        map.constructMap(),
-        false,
-        map.subMap(),
-        false,
-        used,
-        maxEqOp<scalar>(),
-        flipOp(),
-        scalar(0)
+        map, mesh_.nCells(), used, maxEqOp<scalar>(), scalar(0)
     );
     return used*calculatedCells();
 }
@@ -293,8 +327,74 @@ void Foam::compositeMesh::update()
     }
 
     setCellMask();
+    setInterpolations();
     masks_->face = localMin<scalar>(mesh_).interpolate(masks_->cell);
     masks_->faceOld = localMin<scalar>(mesh_).interpolate(masks_->cell.oldTime());
+}
+
+
+bool Foam::compositeMesh::isInFlow(const point& p) const
+{
+    const labelUList& types = Stencil::New(mesh_).cellTypes();
+    bool found = false;
+    forAll(types, celli)
+    {
+        if (found || types[celli] == cellCellStencil::HOLE)
+        {
+            continue;
+        }
+        // On a face is inside, to round-off
+        const scalar roundOff = 1e-6*cbrt(mesh_.cellVolumes()[celli]);
+        bool inside = true;
+        for (const label facei : mesh_.cells()[celli])
+        {
+            const scalar outwards =
+                ((p - mesh_.faceCentres()[facei]) & mesh_.faceAreas()[facei])
+               *(mesh_.faceOwner()[facei] == celli ? 1 : -1);
+            if (outwards > roundOff*mag(mesh_.faceAreas()[facei]))
+            {
+                inside = false;
+                break;
+            }
+        }
+        found = inside;
+    }
+    return returnReduce(found, orOp<bool>());
+}
+
+
+Foam::label Foam::compositeMesh::calculatedCell(const point& p) const
+{
+    const labelUList& types = Stencil::New(mesh_).cellTypes();
+    const pointField& C = mesh_.cellCentres();
+
+    zoneSearch::hit best{-1, Zero, GREAT};
+    forAll(types, celli)
+    {
+        if (types[celli] == cellCellStencil::CALCULATED)
+        {
+            const zoneSearch::hit other{celli, C[celli], magSqr(C[celli] - p)};
+            if (best.cell == -1 || other.isBefore(best))
+            {
+                best = other;
+            }
+        }
+    }
+
+    typedef Tuple2<scalar, point> place;
+    List<place> all(Pstream::nProcs());
+    all[Pstream::myProcNo()] = place(best.distance, best.centre);
+    Pstream::gatherList(all);
+    Pstream::scatterList(all);
+    for (label proci = 0; proci < all.size(); ++proci)
+    {
+        const zoneSearch::hit other{0, all[proci].second(), all[proci].first()};
+        if (proci != Pstream::myProcNo() && other.isBefore(best))
+        {
+            return -1;
+        }
+    }
+    return best.cell;
 }
 
 
@@ -362,7 +462,7 @@ void Foam::compositeMesh::checkHoles() const
     label nLeaked = 0;
     forAll(zones, celli)
     {
-        if (types[celli] == cellCellStencil::HOLE)
+        if (foamVersion::isHole<cellCellStencil>(types[celli]))
         {
             bool covered = false;
             forAll(bounds, zonei)
@@ -389,44 +489,100 @@ void Foam::compositeMesh::checkHoles() const
 }
 
 
-void Foam::compositeMesh::checkDonors() const
+Foam::compositeMesh::fringe Foam::compositeMesh::theFringe() const
 {
-    if (!isOverset())
-    {
-        return;
-    }
-
     const labelUList& types = Stencil::New(mesh_).cellTypes();
     const labelList& zones = zoneID();
+    const label n = nZones();
 
-    labelList atBoundary(nZones(), Zero);
-    labelList found(nZones(), Zero);
+    fringe f{labelList(n, Zero), labelList(n, Zero), List<DynamicList<point>>(n)};
     for (const fvPatch& patch : mesh_.boundary())
     {
         if (isA<oversetFvPatch>(patch))
         {
             for (const label celli : patch.faceCells())
             {
-                ++atBoundary[zones[celli]];
-                if (types[celli] == cellCellStencil::INTERPOLATED)
+                ++f.all[zones[celli]];
+                if (types[celli] != cellCellStencil::INTERPOLATED)
                 {
-                    ++found[zones[celli]];
+                    ++f.strays[zones[celli]];
+                    f.centres[zones[celli]].append(mesh_.cellCentres()[celli]);
                 }
             }
         }
     }
-    Pstream::listCombineGather(atBoundary, plusEqOp<label>());
-    Pstream::listCombineScatter(atBoundary);
-    Pstream::listCombineGather(found, plusEqOp<label>());
-    Pstream::listCombineScatter(found);
-
-    forAll(atBoundary, zonei)
+    for (labelList* counts : {&f.all, &f.strays})
     {
-        if (atBoundary[zonei] && !found[zonei])
+        Pstream::listCombineGather(*counts, plusEqOp<label>());
+        Pstream::listCombineScatter(*counts);
+    }
+    return f;
+}
+
+
+bool Foam::compositeMesh::isExact() const
+{
+    return
+        mesh_.schemesDict().subDict("oversetInterpolation").get<word>("method")
+     == cellCellStencils::rigidZones::typeName;
+}
+
+
+void Foam::compositeMesh::stopAt(const label zone, const fringe& f) const
+{
+    // The one that is furthest out, in whatever direction
+    const boundBox domain(backgroundBounds());
+    const point middle(domain.centre());
+    point where(middle);
+    for (const point& p : f.centres[zone])
+    {
+        where = magSqr(p - middle) > magSqr(where - middle) ? p : where;
+    }
+    List<point> furthest(Pstream::nProcs());
+    furthest[Pstream::myProcNo()] = where;
+    Pstream::gatherList(furthest);
+    Pstream::scatterList(furthest);
+    for (const point& p : furthest)
+    {
+        where = magSqr(p - middle) > magSqr(where - middle) ? p : where;
+    }
+
+    stopAfterWriting
+    (
+        mesh_,
+        text
+        (
+            "Overset zone ", zone, " (field zoneID) leaves the background: of the ",
+            f.all[zone], " cells at its overset patches ", f.strays[zone],
+            " find no donor there, one of them at ", where,
+            ". The background spans ", domain, "."
+        ),
+        "a body whose mesh stays within the background. A background that is larger there, a shorter run, or a function object that ends"
+        " it before (plungeEvent); walls hold no body back."
+    );
+}
+
+
+void Foam::compositeMesh::checkDonors()
+{
+    if (!isOverset())
+    {
+        return;
+    }
+
+    const fringe f(theFringe());
+    masks_->straysAtStart = f.strays;
+    forAll(f.all, zonei)
+    {
+        if (!f.strays[zonei])
+        {
+            continue;
+        }
+        if (f.strays[zonei] == f.all[zonei])
         {
             FatalErrorInFunction
                 << "Overset zone " << zonei << " (field zoneID): none of the "
-                << atBoundary[zonei] << " cells at its overset patches finds"
+                << f.all[zonei] << " cells at its overset patches finds"
                 << " a donor in another zone." << nl
                 << "Expected: a zone that lies inside the background zone 0"
                 << " and cells not much smaller than its own; check the"
@@ -434,14 +590,53 @@ void Foam::compositeMesh::checkDonors() const
                 << " searchBox in system/fvSchemes::oversetInterpolation."
                 << exit(FatalError);
         }
-        if (found[zonei] < atBoundary[zonei])
+        if (isExact())
         {
-            WarningInFunction
-                << "Overset zone " << zonei << ": "
-                << atBoundary[zonei] - found[zonei] << " of "
-                << atBoundary[zonei] << " cells at its overset patches find"
-                << " no donor and keep a zero gradient." << endl;
+            stopAt(zonei, f);
         }
+        WarningInFunction
+            << "Overset zone " << zonei << ": "
+            << f.strays[zonei] << " of "
+            << f.all[zonei] << " cells at its overset patches find"
+            << " no donor and keep a zero gradient." << endl;
+    }
+}
+
+
+void Foam::compositeMesh::checkZones() const
+{
+    if (!isOverset())
+    {
+        return;
+    }
+
+    fringe f(theFringe());
+    forAll(f.all, zonei)
+    {
+        if (f.strays[zonei] <= masks_->straysAtStart[zonei])
+        {
+            continue;
+        }
+        if (!isExact() && f.strays[zonei] < f.all[zonei])
+        {
+            // Those that found none for want of suitable cells do not count
+            const boundBox domain(backgroundBounds());
+            DynamicList<point> outside;
+            for (const point& p : f.centres[zonei])
+            {
+                if (!domain.contains(p))
+                {
+                    outside.append(p);
+                }
+            }
+            f.centres[zonei].transfer(outside);
+            f.strays[zonei] = returnReduce(f.centres[zonei].size(), sumOp<label>());
+            if (f.strays[zonei] <= masks_->straysAtStart[zonei])
+            {
+                continue;
+            }
+        }
+        stopAt(zonei, f);
     }
 }
 

@@ -6,6 +6,7 @@
 #include "inputChecks.H"
 #include "oversetFvPatch.H"
 #include "PstreamBuffers.H"
+#include "stopAfterWriting.H"
 #include "syncTools.H"
 #include "profiling.H"
 
@@ -210,8 +211,9 @@ void Foam::cellCellStencils::rigidZones::find
         }
     }
 
-    // Cell, is it a donor, nearest boundary, is it a wall
-    typedef Tuple2<labelPair, Tuple2<scalar, bool>> answer;
+    // Cell and is it a donor; its centre and the square of the distance from
+    // it, or without a cell from the nearest boundary, and is that a wall
+    typedef Tuple2<labelPair, Tuple2<point, Tuple2<scalar, bool>>> answer;
     const zoneSearch& search = zones_[zone];
     const List<List<answer>> answers
     (
@@ -220,26 +222,26 @@ void Foam::cellCellStencils::rigidZones::find
             questions,
             [&](const point& p)
             {
-                const label celli = search.findCell(p);
-                if (celli != -1)
-                {
-                    return answer
-                    (
-                        labelPair
-                        (
-                            globalCells_.toGlobal(celli),
-                            isDonor_[celli]
-                        ),
-                        Tuple2<scalar, bool>(0, false)
-                    );
-                }
+                const zoneSearch::hit hit(search.findCell(p));
+                labelPair cell(-1, false);
+                scalar distance = hit.distance;
                 bool inside = false;
-                const scalar distance =
-                    zone ? search.nearestBoundary(p, inside) : GREAT;
+                if (hit.cell != -1)
+                {
+                    cell = labelPair(globalCells_.toGlobal(hit.cell), isDonor_[hit.cell]);
+                }
+                else if (zone)
+                {
+                    distance = search.nearestBoundary(p, inside);
+                }
                 return answer
                 (
-                    labelPair(-1, false),
-                    Tuple2<scalar, bool>(distance, inside)
+                    cell,
+                    Tuple2<point, Tuple2<scalar, bool>>
+                    (
+                        hit.centre,
+                        Tuple2<scalar, bool>(distance, inside)
+                    )
                 );
             }
         )
@@ -249,23 +251,105 @@ void Foam::cellCellStencils::rigidZones::find
     isInside = boolList(points.size(), false);
     isDonor = boolList(points.size(), false);
     scalarList nearest(points.size(), GREAT);
+    pointField centre(points.size());
     forAll(answers, proci)
     {
         forAll(answers[proci], k)
         {
             const label i = asked[proci][k];
             const answer& a = answers[proci][k];
-            if (a.first().first() != -1 && donors[i] == -1)
+            const zoneSearch::hit found
             {
-                donors[i] = a.first().first();
-                isDonor[i] = a.first().second();
-                isInside[i] = false;
-                nearest[i] = -1;
+                a.first().first(),
+                a.second().first(),
+                a.second().second().first()
+            };
+            if (found.cell != -1)
+            {
+                const zoneSearch::hit best{donors[i], centre[i], nearest[i]};
+                if (best.cell == -1 || found.isBefore(best))
+                {
+                    donors[i] = found.cell;
+                    isDonor[i] = a.first().second();
+                    isInside[i] = false;
+                    centre[i] = found.centre;
+                    nearest[i] = found.distance;
+                }
             }
-            else if (a.second().first() < nearest[i])
+            else if (donors[i] == -1 && found.distance < nearest[i])
             {
-                nearest[i] = a.second().first();
-                isInside[i] = a.second().second();
+                nearest[i] = found.distance;
+                isInside[i] = a.second().second().second();
+            }
+        }
+    }
+}
+
+
+void Foam::cellCellStencils::rigidZones::checkOverlap() const
+{
+    // Boxes about the zones on top, over all processors, tell first
+    List<boundBox> bounds(zones_.size());
+    forAll(zones_, zonei)
+    {
+        if (zones_[zonei].bounds().valid())
+        {
+            bounds[zonei] = zones_[zonei].bounds();
+        }
+        bounds[zonei].reduce();
+    }
+
+    const labelList& zoneID = this->zoneID();
+    const pointField& C = mesh_.cellCentres();
+    labelList found;
+    boolList isInside, isDonor;
+    for (label zonei = 1; zonei < zones_.size(); ++zonei)
+    {
+        for (label other = 1; other < zones_.size(); ++other)
+        {
+            if (other == zonei || !bounds[zonei].overlaps(bounds[other]))
+            {
+                continue;
+            }
+            DynamicList<point> fringe;
+            forAll(zoneTypes_, celli)
+            {
+                if
+                (
+                    zoneID[celli] == zonei
+                 && zoneTypes_[celli] == INTERPOLATED
+                 && bounds[other].contains(C[celli])
+                )
+                {
+                    fringe.append(C[celli]);
+                }
+            }
+            find(other, fringe, found, isInside, isDonor);
+
+            label n = 0;
+            point where(point::max);
+            forAll(found, i)
+            {
+                if (found[i] != -1)
+                {
+                    ++n;
+                    where = min(where, fringe[i]);
+                }
+            }
+            if (returnReduce(n, sumOp<label>()))
+            {
+                stopAfterWriting
+                (
+                    mesh_,
+                    text
+                    (
+                        "Overset zones ", zonei, " and ", other, " (field zoneID) overlap: ",
+                        returnReduce(n, sumOp<label>()), " cells at the outer boundary of zone ", zonei,
+                        " lie in zone ", other, ", beyond ", returnReduce(where, minOp<point>()), "."
+                    ),
+                    "zones that lie on the background alone, which method rigidZones is for (system/fvSchemes::oversetInterpolation):"
+                    " bodies whose meshes keep apart, or another method."
+                );
             }
         }
     }
@@ -415,7 +499,7 @@ void Foam::cellCellStencils::rigidZones::setStencils(const labelList& donors)
         if (donors[celli] != -1)
         {
             const label proci = globalCells_.whichProcID(donors[celli]);
-            questions[proci].append(question(donors[celli], mesh_.C()[celli]));
+            questions[proci].append(question(donors[celli], mesh_.cellCentres()[celli]));
             asked[proci].append(celli);
             acceptors.append(celli);
         }
@@ -447,7 +531,7 @@ void Foam::cellCellStencils::rigidZones::setStencils(const labelList& donors)
         {
             ++nWithoutCalculated;
             cells.append(q.first());
-            centres.append(mesh_.C()[donor]);
+            centres.append(mesh_.cellCentres()[donor]);
         }
         for (const label slot : neighbours_[donor])
         {
@@ -589,6 +673,10 @@ bool Foam::cellCellStencils::rigidZones::update()
     for (zoneSearch& zone : zones_)
     {
         zone.update();
+    }
+    if (zones_.size() > 2)
+    {
+        checkOverlap();
     }
     setStencils(setTypes());
 

@@ -11,24 +11,26 @@ void Foam::zoneSearch::build()
     const fvMesh& zone = zone_.subMesh();
     reach_ = boundBox(zone.points(), true);
     reach_.inflate(1e-6);
+    roundOff_ = 1e-10*reach_.mag();
+
+    // Collective, and kept for the search of warped cells, which is not
+    (void)zone.tetBasePtIs();
+
     if (!zone.nCells())
     {
         return;
     }
 
-    const auto tree = [](const boundBox& box)
-    {
-        treeBoundBox result(box);
-        result.inflate(0.01);
-        return result;
-    };
+    // Of the whole zone, for a processor may have a single face of its boundary
+    treeBoundBox tree(boundBox(zone.points(), false));
+    tree.inflate(0.01);
 
     cells_.reset
     (
         new indexedOctree<treeDataCell>
         (
             treeDataCell(true, zone, polyMesh::FACE_PLANES),
-            tree(boundBox(zone.points(), false)),
+            tree,
             10, 10, 5
         )
     );
@@ -57,7 +59,7 @@ void Foam::zoneSearch::build()
             new indexedOctree<treeDataPoint>
             (
                 treeDataPoint(boundaryCentres_),
-                tree(boundBox(boundaryCentres_, false)),
+                tree,
                 10, 10, 5
             )
         );
@@ -99,6 +101,46 @@ Foam::tensor Foam::zoneSearch::axes(const UList<point>& points) const
 }
 
 
+Foam::zoneSearch::hit Foam::zoneSearch::hitOf
+(
+    const label zoneCell,
+    const point& p
+) const
+{
+    const label celli = zone_.cellMap()[zoneCell];
+    const point& centre = mesh_.cellCentres()[celli];
+    return hit{celli, centre, magSqr(centre - p)};
+}
+
+
+Foam::label Foam::zoneSearch::side
+(
+    const label zoneCell,
+    const point& r
+) const
+{
+    const fvMesh& zone = zone_.subMesh();
+    bool within = true;
+    for (const label facei : zone.cells()[zoneCell])
+    {
+        const vector& Sf = zone.faceAreas()[facei];
+        const scalar outwards =
+            ((r - zone.faceCentres()[facei]) & Sf)
+           *(zone.faceOwner()[facei] == zoneCell ? 1 : -1);
+
+        if (sqr(outwards) <= sqr(roundOff_)*magSqr(Sf))
+        {
+            within = false;
+        }
+        else if (outwards > 0)
+        {
+            return 1;
+        }
+    }
+    return within ? -1 : 0;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::zoneSearch::zoneSearch
@@ -113,16 +155,46 @@ Foam::zoneSearch::zoneSearch
     rotation_(tensor::I),
     translation_(Zero),
     bounds_(),
-    reach_()
+    reach_(),
+    roundOff_(0)
 {
     // Collective: processors without cells of the zone take part
     (void)zone_.subMesh().nGeometricD();
-    (void)zone_.subMesh().tetBasePtIs();
     build();
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::zoneSearch::comesBefore
+(
+    const point& a,
+    const point& b,
+    const scalar roundOff
+)
+{
+    for (direction d = 0; d < vector::nComponents; ++d)
+    {
+        if (mag(a[d] - b[d]) > roundOff)
+        {
+            return a[d] < b[d];
+        }
+    }
+    return false;
+}
+
+
+bool Foam::zoneSearch::hit::isBefore(const hit& other) const
+{
+    const scalar least = 1e-6*max(distance, other.distance);
+    if (mag(distance - other.distance) > least)
+    {
+        return distance < other.distance;
+    }
+    return comesBefore(centre, other.centre, 1e-3*sqrt(least));
+}
+
+
 
 void Foam::zoneSearch::update()
 {
@@ -153,41 +225,76 @@ void Foam::zoneSearch::update()
 }
 
 
-Foam::label Foam::zoneSearch::findCell(const point& p) const
+Foam::zoneSearch::hit Foam::zoneSearch::findCell(const point& p) const
 {
+    hit best{-1, Zero, GREAT};
     if (!cells_)
     {
-        return -1;
+        return best;
     }
     const point r(reference(p));
     if (!cells_->bb().contains(r))
     {
-        return -1;
+        return best;
     }
-    const treeDataCell& shapes = cells_->shapes();
-    const labelList& near = cells_->findIndices(r);
+    const labelUList& zoneCells = cells_->shapes().cellLabels();
+    const auto take = [&](const label zoneCell)
+    {
+        const hit other(hitOf(zoneCell, p));
+        if (best.cell == -1 || other.isBefore(best))
+        {
+            best = other;
+        }
+    };
+
+    label nFound = 0;
+    bool atFace = false;
+    for (const label i : cells_->findIndices(r))
+    {
+        const label where = side(zoneCells[i], r);
+        if (where <= 0)
+        {
+            take(zoneCells[i]);
+            ++nFound;
+            atFace = atFace || where == 0;
+        }
+    }
+    if (nFound && !atFace)
+    {
+        return best;
+    }
+
+    // Cells that share the face may be in other leaves of the tree
+    const labelList near
+    (
+        cells_->findBox(treeBoundBox(r - roundOff_*vector::one, r + roundOff_*vector::one))
+    );
     for (const label i : near)
     {
-        if (shapes.contains(i, r))
+        if (side(zoneCells[i], r) <= 0)
         {
-            return zone_.cellMap()[shapes.cellLabels()[i]];
+            take(zoneCells[i]);
         }
+    }
+    if (best.cell != -1)
+    {
+        return best;
     }
 
     // Tetrahedra fill the space between warped faces too
+    const fvMesh& zone = zone_.subMesh();
     for (const label i : near)
     {
-        const label celli = shapes.cellLabels()[i];
         if
         (
-            zone_.subMesh().pointInCellBB(r, celli)
-         && zone_.subMesh().pointInCell(r, celli, polyMesh::CELL_TETS)
+            zone.pointInCellBB(r, zoneCells[i])
+         && zone.pointInCell(r, zoneCells[i], polyMesh::CELL_TETS)
         )
         {
-            return zone_.cellMap()[celli];
+            take(zoneCells[i]);
         }
     }
-    return -1;
+    return best;
 }
 
 

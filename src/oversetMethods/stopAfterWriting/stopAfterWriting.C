@@ -18,9 +18,9 @@ void Foam::stopAfterWriting
         const_cast<Time&>(time).writeNow();
     }
     FatalErrorInFunction
-        << what << nl
+        << what.c_str() << nl
         << "Time: " << time.timeName() << " s" << nl
-        << "Expected: " << expected << exit(FatalError);
+        << "Expected: " << expected.c_str() << exit(FatalError);
 
     // Not reached; exit() does not say so
     std::abort();

@@ -6,6 +6,8 @@
 #include "oversetFvPatch.H"
 #include "ListListOps.H"
 #include "surfaceFields.H"
+#include "unitConversion.H"
+#include "wedgePolyPatch.H"
 #include "profiling.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -96,12 +98,16 @@ direction closedAxis(const UList<uniqueVolume::triangle>& surface)
         total += cmptMag(area);
     }
 
+    // Along the empty direction of a plane mesh, and across the middle plane of
+    // a wedge, there is nothing but round-off to tell
+    const scalar least = 1e-9*cmptMax(total);
+
     direction axis = 0;
     scalar openness = GREAT;
     for (direction d = 0; d < vector::nComponents; ++d)
     {
-        const scalar o = mag(net[d])/(total[d] + VSMALL);
-        if (o < openness)
+        const scalar o = mag(net[d])/max(total[d], VSMALL);
+        if (total[d] > least && o < openness)
         {
             openness = o;
             axis = d;
@@ -139,21 +145,117 @@ void Foam::uniqueVolume::setBackground()
         {
             cells.append(celli);
             boxes.append(boundBox(points, cellPoints[celli], false));
-            if (mag(boxes.last().volume() - V[celli]) > 1e-6*V[celli])
+            if
+            (
+                mag(boxes.last().volume() - V[celli]) > 1e-6*V[celli]
+             && !isPartOfBox(celli, boxes.last())
+            )
             {
                 FatalErrorInFunction
-                    << "Cell " << celli << " at " << mesh_.C()[celli]
+                    << "Cell " << celli << " at " << mesh_.cellCentres()[celli]
                     << " of the background (zoneID 0) is not a box along the"
                     << " axes: the volume that the other zones cover cannot"
                     << " be computed." << nl
-                    << "Expected: a background of axis-aligned hexahedra, or"
-                    << " no function object volumeLedger in"
-                    << " system/controlDict." << exit(FatalError);
+                    << "Expected: a background of axis-aligned hexahedra, or in"
+                    << " a wedge of what its planes leave of them; or neither"
+                    << " a function object volumeLedger in system/controlDict"
+                    << " nor fringe conserved in constant/sceneProperties."
+                    << exit(FatalError);
             }
         }
     }
     cells_.transfer(cells);
     boxes_.transfer(boxes);
+}
+
+
+bool Foam::uniqueVolume::isPartOfBox(const label celli, const boundBox& box) const
+{
+    const scalar roundOff = 1e-6*box.mag();
+    bool onWedge = false;
+    for (const label facei : mesh_.cells()[celli])
+    {
+        const label patchi = mesh_.boundaryMesh().whichPatch(facei);
+        if (patchi != -1 && isA<wedgePolyPatch>(mesh_.boundaryMesh()[patchi]))
+        {
+            onWedge = true;
+            continue;
+        }
+        const boundBox flat(mesh_.points(), mesh_.faces()[facei], false);
+        bool onBox = false;
+        for (direction d = 0; d < vector::nComponents; ++d)
+        {
+            onBox =
+                onBox
+             || flat.max()[d] - box.min()[d] < roundOff
+             || box.max()[d] - flat.min()[d] < roundOff;
+        }
+        if (!onBox)
+        {
+            return false;
+        }
+    }
+    return onWedge;
+}
+
+
+void Foam::uniqueVolume::checkThickness() const
+{
+    // Of plane meshes
+    const labelList& zones = cellCellStencil::zoneID(mesh_);
+    for (direction d = 0; d < vector::nComponents; ++d)
+    {
+        if (mesh_.solutionD()[d] != -1)
+        {
+            continue;
+        }
+        boundBox background, others;
+        forAll(zones, celli)
+        {
+            (zones[celli] ? others : background).add(mesh_.points(), mesh_.cellPoints()[celli]);
+        }
+        background.reduce();
+        others.reduce();
+        const scalar most = 1e-6*background.span()[d];
+        if
+        (
+            others.valid()
+         && (
+                mag(background.min()[d] - others.min()[d]) > most
+             || mag(background.max()[d] - others.max()[d]) > most
+            )
+        )
+        {
+            FatalErrorInFunction
+                << "Across the plane of this mesh the background (zoneID 0) is from "
+                << background.min()[d] << " to " << background.max()[d]
+                << " m, the other zones are from " << others.min()[d] << " to "
+                << others.max()[d] << " m: their volumes do not go together." << nl
+                << "Expected: zones between the same empty patches' planes."
+                << exit(FatalError);
+        }
+    }
+
+    // Of wedges
+    scalar cosAngle = -1;
+    for (const polyPatch& patch : mesh_.boundaryMesh())
+    {
+        const wedgePolyPatch* wedge = isA<wedgePolyPatch>(patch);
+        if (wedge && returnReduce(wedge->size(), sumOp<label>()))
+        {
+            // All faces of the patch: of one of its planes on a processor without
+            const scalar c = returnReduce(wedge->size() ? wedge->cosAngle() : scalar(-1), maxOp<scalar>());
+            if (cosAngle != -1 && mag(::acos(min(c, scalar(1))) - ::acos(min(cosAngle, scalar(1)))) > 1e-6)
+            {
+                FatalErrorInFunction
+                    << "The planes of the wedge are " << radToDeg(::acos(cosAngle))
+                    << " and, on patch " << patch.name() << ", " << radToDeg(::acos(c))
+                    << " degrees from its middle: their volumes do not go together." << nl
+                    << "Expected: one angle for all zones." << exit(FatalError);
+            }
+            cosAngle = c;
+        }
+    }
 }
 
 
@@ -223,6 +325,7 @@ Foam::uniqueVolume::uniqueVolume(const fvMesh& mesh)
 {
     if (overset_)
     {
+        checkThickness();
         setBackground();
         setWeights();
     }
@@ -235,6 +338,15 @@ bool Foam::uniqueVolume::movePoints()
 {
     if (overset_)
     {
+        // A background that moves does so as a whole
+        if
+        (
+            cells_.size()
+         && boxes_[0].min() != boundBox(mesh_.points(), mesh_.cellPoints()[cells_[0]], false).min()
+        )
+        {
+            setBackground();
+        }
         setWeights();
     }
     return true;

@@ -4,6 +4,7 @@
 #include "addToRunTimeSelectionTable.H"
 #include "gravityMeshObject.H"
 #include "restart.H"
+#include "whileRunning.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -36,7 +37,7 @@ Foam::functionObjects::plungeEvent::plungeEvent
     const dictionary& dict
 )
 :
-    fvMeshFunctionObject(name, runTime, dict),
+    fvMeshFunctionObject(name, runTime, whileRunning(dict)),
     body_(mesh_),
     up_(upwards(meshObjects::gravity::New(runTime).value())),
     event_(),

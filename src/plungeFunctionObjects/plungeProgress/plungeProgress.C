@@ -3,6 +3,7 @@
 #include "plungeProgress.H"
 #include "addToRunTimeSelectionTable.H"
 #include "timeLeft.H"
+#include "whileRunning.H"
 
 #include <iomanip>
 #include <sstream>
@@ -28,7 +29,7 @@ Foam::functionObjects::plungeProgress::plungeProgress
     const dictionary& dict
 )
 :
-    fvMeshFunctionObject(name, runTime, dict),
+    fvMeshFunctionObject(name, runTime, whileRunning(dict)),
     pace_(0),
     lastTime_(runTime.value()),
     lastClock_(runTime.elapsedClockTime())

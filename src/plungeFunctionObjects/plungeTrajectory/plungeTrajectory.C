@@ -3,6 +3,7 @@
 #include "plungeTrajectory.H"
 #include "addToRunTimeSelectionTable.H"
 #include "gravityMeshObject.H"
+#include "whileRunning.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -25,7 +26,7 @@ Foam::functionObjects::plungeTrajectory::plungeTrajectory
     const dictionary& dict
 )
 :
-    fvMeshFunctionObject(name, runTime, dict),
+    fvMeshFunctionObject(name, runTime, whileRunning(dict)),
     body_(mesh_),
     surfaceLevel_(0),
     model_(modelledPart::partType::full),

@@ -5,6 +5,7 @@
 #include "inputChecks.H"
 #include "surfaceFields.H"
 #include "volFields.H"
+#include "whileRunning.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -27,7 +28,7 @@ Foam::functionObjects::volumeLedger::volumeLedger
     const dictionary& dict
 )
 :
-    fvMeshFunctionObject(name, runTime, dict),
+    fvMeshFunctionObject(name, runTime, whileRunning(dict)),
     bodyVolume_(0),
     interval_(1),
     initialVolume_(0),

@@ -3,9 +3,10 @@
 #include "addedMass.H"
 #include "addedMassTensor.H"
 #include "addToRunTimeSelectionTable.H"
+#include "bodyInertia.H"
 #include "inputChecks.H"
 #include "scalarMatrices.H"
-#include "uniformDimensionedFields.H"
+#include "Tuple2.H"
 
 namespace Foam
 {
@@ -23,15 +24,101 @@ namespace
 
 using namespace Foam;
 
-//- Block of a matrix of blocks 3 x 3
-tensor block(const SquareMatrix<scalar>& matrix, const label i, const label j)
+typedef SquareMatrix<scalar> matrix;
+
+//- Of blocks 3 x 3
+matrix blocks(const tensor& xx, const tensor& xy, const tensor& yx, const tensor& yy)
 {
-    tensor result;
-    for (label k = 0; k < 9; ++k)
+    const tensor* all[] = {&xx, &xy, &yx, &yy};
+    matrix result(6, 6, Zero);
+    for (label block = 0; block < 4; ++block)
     {
-        result[k] = matrix(3*i + k/3, 3*j + k % 3);
+        for (label k = 0; k < 9; ++k)
+        {
+            result(3*(block/2) + k/3, 3*(block % 2) + k % 3) = (*all[block])[k];
+        }
     }
     return result;
+}
+
+
+scalarField joined(const vector& a, const vector& b)
+{
+    scalarField result(6);
+    std::copy(a.begin(), a.end(), result.begin());
+    std::copy(b.begin(), b.end(), result.begin() + 3);
+    return result;
+}
+
+
+vector first(const scalarField& x)
+{
+    return vector(x[0], x[1], x[2]);
+}
+
+
+vector second(const scalarField& x)
+{
+    return vector(x[3], x[4], x[5]);
+}
+
+
+scalarField times(const matrix& A, const scalarField& x)
+{
+    scalarField result(6, Zero);
+    for (label i = 0; i < 6; ++i)
+    {
+        for (label j = 0; j < 6; ++j)
+        {
+            result[i] += A(i, j)*x[j];
+        }
+    }
+    return result;
+}
+
+
+scalarField unit(const label k)
+{
+    scalarField result(6, Zero);
+    result[k] = 1;
+    return result;
+}
+
+
+//- x of A x = b within the freedom that a projection leaves
+scalarField solved(const matrix& A, const scalarField& b, const matrix& free)
+{
+    matrix system(free*A*free);
+    for (label i = 0; i < 6; ++i)
+    {
+        for (label j = 0; j < 6; ++j)
+        {
+            system(i, j) += (i == j) - free(i, j);
+        }
+    }
+    scalarField x(times(free, b));
+    LUsolve(system, x);
+    return x;
+}
+
+
+//- crossing(a) & b = a ^ b
+tensor crossing(const vector& a)
+{
+    return tensor(0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0);
+}
+
+
+//- By an angle about the vector's direction [rad]
+tensor rotation(const vector& angle)
+{
+    const scalar a = mag(angle);
+    if (!(a > 0))
+    {
+        return tensor::I;
+    }
+    const tensor n(crossing(angle/a));
+    return tensor::I + std::sin(a)*n + 2*sqr(std::sin(0.5*a))*(n & n);
 }
 
 
@@ -59,7 +146,8 @@ Foam::sixDoFSolvers::addedMass::addedMass
     sixDoFSolver(dict, body),
     isGiven_(dict.found("addedMass") || dict.found("addedInertia")),
     addedMass_(isGiven_ ? readEstimate(dict, "addedMass") : vector(Zero)),
-    addedInertia_(isGiven_ ? readEstimate(dict, "addedInertia") : vector(Zero))
+    addedInertia_(isGiven_ ? readEstimate(dict, "addedInertia") : vector(Zero)),
+    learned_(6, 6, Zero)
 {}
 
 
@@ -93,32 +181,76 @@ Foam::SquareMatrix<Foam::scalar> Foam::sixDoFSolvers::addedMass::estimate(const 
 }
 
 
-Foam::vector Foam::sixDoFSolvers::addedMass::gravity() const
+Foam::vector Foam::sixDoFSolvers::addedMass::arm() const
 {
-    const auto* g =
-        body_.time().findObject<uniformDimensionedVectorField>("g");
-    return g ? g->value() : vector(Zero);
+    return body_.orientation().T() & body_.momentArm();
+}
+
+
+Foam::symmTensor Foam::sixDoFSolvers::addedMass::inertia() const
+{
+    return centralInertia(body_) + steiner(body_.mass(), arm());
+}
+
+
+bool Foam::sixDoFSolvers::addedMass::tumbles() const
+{
+    return mag(rConstraints() - tensor::I) < SMALL && mag(tConstraints()) > SMALL && magSqr(arm()) > VSMALL;
+}
+
+
+Foam::scalarField Foam::sixDoFSolvers::addedMass::loads(const vector& fGlobal, const vector& tauGlobal)
+{
+    // Force over mass and torque, with the restraints
+    updateAcceleration(fGlobal, tauGlobal);
+
+    const vector omega(inv(body_.momentOfInertia()) & pi());
+    const vector force(body_.mass()*((Q().T() & a()) - (omega ^ (omega ^ arm()))));
+    return joined(force, tumbles() ? tau() - (omega ^ (inertia() & omega)) : tau());
 }
 
 
 Foam::Tuple2<Foam::tensor, Foam::vector>
-Foam::sixDoFSolvers::addedMass::rotateFreely
-(
-    const tensor& Q,
-    const vector& pi,
-    const scalar deltaT
-) const
+Foam::sixDoFSolvers::addedMass::turned(const vector& omega, const scalar deltaT) const
 {
+    if (mag(rConstraints() - tensor::I) > SMALL || tumbles())
+    {
+        return {Q0() & rotation(deltaT*omega), omega};
+    }
+
     const scalar w[] =
         {0.784513610477560, 0.235573213359357, -1.17767998417887};
     const scalar middle = 1 - 2*(w[0] + w[1] + w[2]);
 
-    Tuple2<tensor, vector> Qpi(Q, pi);
+    const symmTensor I(inertia());
+    const bool isDiagonal = mag(I.xy()) + mag(I.xz()) + mag(I.yz()) < SMALL*tr(I);
+    const vector principal(isDiagonal ? vector(I.xx(), I.yy(), I.zz()) : eigenValues(I));
+    // Rows are the principal axes, right-handed
+    tensor axes(isDiagonal ? tensor::I : eigenVectors(I, principal));
+    if (det(axes) < 0)
+    {
+        axes = -axes;
+    }
+
+    tensor Q(Q0() & axes.T());
+    vector L(cmptMultiply(principal, axes & omega));
+    const auto about = [&](const direction axis, const scalar time)
+    {
+        vector angle(Zero);
+        angle[axis] = time*L[axis]/principal[axis];
+        const tensor R(rotation(angle));
+        L = L & R;
+        Q = Q & R;
+    };
     for (const scalar part : {w[0], w[1], w[2], middle, w[2], w[1], w[0]})
     {
-        Qpi = rotate(Qpi.first(), Qpi.second(), part*deltaT);
+        about(0, 0.5*part*deltaT);
+        about(1, 0.5*part*deltaT);
+        about(2, part*deltaT);
+        about(1, 0.5*part*deltaT);
+        about(0, 0.5*part*deltaT);
     }
-    return Qpi;
+    return {Q & axes, axes.T() & vector(cmptDivide(L, principal))};
 }
 
 
@@ -126,78 +258,93 @@ Foam::sixDoFSolvers::addedMass::rotateFreely
 
 void Foam::sixDoFSolvers::addedMass::solve
 (
-    bool,
+    bool firstIter,
     const vector& fGlobal,
     const vector& tauGlobal,
     scalar deltaT,
-    scalar
+    scalar deltaT0
 )
 {
-    const vector aLast(a());
-    const vector tauLast(tau());
-
-    // Force over mass and torque, with the restraints
-    updateAcceleration(fGlobal, tauGlobal);
-
-    // In body axes: accelerations, and what constraints leave of them
+    const tensor axes(Q());
     const diagTensor& I = body_.momentOfInertia();
-    const diagTensor rI(1/I.xx(), 1/I.yy(), 1/I.zz());
-    const tensor free[2] = {Q().T() & tConstraints() & Q(), rConstraints()};
-    const tensor inertia[2] = {body_.mass()*tensor::I, tensor::I & I};
-    const vector unhindered[2] = {Q().T() & a(), rI & tau()};
-    const vector last[2] = {Q().T() & aLast, rI & tauLast};
+    const scalar mass = body_.mass();
+    const tensor coupling(mass*crossing(arm()));
+    const matrix M(blocks(mass*tensor::I, -coupling, coupling, tensor::I & inertia()));
+    const matrix free(blocks(axes.T() & tConstraints() & axes, Zero, Zero, rConstraints()));
 
     boolList isFree(6);
     forAll(isFree, k)
     {
-        vector axis(Zero);
-        axis[k % 3] = 1;
-        isFree[k] = mag(free[k/3] & axis) > SMALL;
+        isFree[k] = sumSqr(times(free, unit(k))) > sqr(SMALL);
     }
-    const SquareMatrix<scalar> added(estimate(isFree));
+    const matrix estimated(estimate(isFree));
 
-    SquareMatrix<scalar> matrix(6, 6, Zero);
-    scalarField x(6);
-    for (label i = 0; i < 2; ++i)
+    // The square of the body's own share in what it accelerates
+    matrix share(6, 6, Zero);
+    for (label k = 0; k < 6; ++k)
     {
-        vector source(inertia[i] & unhindered[i]);
-        for (label j = 0; j < 2; ++j)
+        scalarField column(times(free, unit(k)));
+        for (label power = 0; power < 2; ++power)
         {
-            const tensor A(block(added, i, j));
-            source += A & last[j];
-            tensor M(free[i] & (i == j ? inertia[i] + A : A) & free[j]);
-            if (i == j)
+            column = solved(M + estimated, times(M, column), free);
+        }
+        for (label j = 0; j < 6; ++j)
+        {
+            share(j, k) = column[j];
+        }
+    }
+
+    const scalarField last(joined(axes.T() & a0(), inv(I) & tau0()));
+    const matrix carried((sumSqr(last) > 0 ? 0.5*deltaT0/deltaT : 0)*share);
+    const scalarField now(loads(fGlobal, tauGlobal));
+    scalarField s;
+    if (firstIter)
+    {
+        learned_ = matrix(6, 6, Zero);
+        loadsBefore_.clear();
+        s = solved(M + estimated, now + times(estimated, last), free);
+        change_ = s + times(carried, s - last);
+    }
+    else
+    {
+        if (loadsBefore_.size())
+        {
+            const scalarField difference(change_ - changeBefore_);
+            const scalarField weight(times(M, difference));
+            const scalar size = sumProd(difference, weight);
+            if (size > 1e-20*sumProd(change_, times(M, change_)))
             {
-                M += tensor::I - free[i];
-            }
-            for (label k = 0; k < 9; ++k)
-            {
-                matrix(3*i + k/3, 3*j + k % 3) = M[k];
+                const scalarField missed(loadsBefore_ - now - times(estimated + learned_, difference));
+                for (label k = 0; k < 36; ++k)
+                {
+                    learned_(k/6, k % 6) += missed[k/6]*weight[k % 6]/size;
+                }
             }
         }
-        source = free[i] & source;
-        std::copy(source.begin(), source.end(), x.begin() + 3*i);
+        loadsBefore_ = now;
+        changeBefore_ = change_;
+        change_ += solved(M + estimated + learned_, now - times(M, change_), free);
+        s = change_ + times(carried, last);
+        matrix system(carried);
+        for (label k = 0; k < 6; ++k)
+        {
+            system(k, k) += 1;
+        }
+        LUsolve(system, s);
     }
-    LUsolve(matrix, x);
+    const scalarField half(0.5*deltaT*aDamp()*times(share, s));
 
-    a() = tConstraints() & (Q() & vector(x[0], x[1], x[2]));
-    tau() = rConstraints() & (I & vector(x[3], x[4], x[5]));
+    v() = tConstraints() & (v0() + aDamp()*deltaT*(axes & first(change_)));
+    centreOfRotation() = centreOfRotation0() + deltaT*(v() - (tConstraints() & axes & first(half)));
 
-    v() = tConstraints() & (v0() + aDamp()*deltaT*a());
-    centreOfRotation() =
-        centreOfRotation0()
-      + deltaT*v()
-      - 0.5*sqr(deltaT)*(tConstraints() & gravity());
+    const vector omega(rConstraints() & ((inv(I) & pi0()) + aDamp()*deltaT*second(change_)));
+    const Tuple2<tensor, vector> Qomega(turned(omega - (rConstraints() & second(half)), deltaT));
+    Q() = Qomega.first();
+    // With the moments of inertia that OpenFOAM's state goes by
+    pi() = I & (Qomega.second() + (rConstraints() & second(half)));
 
-    const Tuple2<tensor, vector> Qpi =
-        rotateFreely
-        (
-            Q0(),
-            rConstraints() & (pi0() + aDamp()*deltaT*tau()),
-            deltaT
-        );
-    Q() = Qpi.first();
-    pi() = rConstraints() & Qpi.second();
+    a() = tConstraints() & axes & first(s);
+    tau() = I & (rConstraints() & second(s));
 }
 
 // ************************************************************************* //

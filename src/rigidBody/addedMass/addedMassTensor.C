@@ -19,7 +19,7 @@ Foam::tmp<Foam::vectorField> Foam::addedMassTensor::unitAcceleration
     vector axis(Zero);
     axis[k % 3] = 1;
     axis = body_.orientation() & axis;
-    return k < 3 ? tmp<vectorField>::New(x.size(), axis) : axis ^ (x - body_.centreOfMass());
+    return k < 3 ? tmp<vectorField>::New(x.size(), axis) : axis ^ (x - body_.centreOfRotation());
 }
 
 
@@ -76,7 +76,8 @@ void Foam::addedMassTensor::solve
     const volScalarField& rho,
     const volScalarField& p,
     const wordList& types,
-    const label nNonOrthogonal
+    const label nNonOrthogonal,
+    const label reference
 )
 {
     addProfiling(addedMass, "added mass");
@@ -115,7 +116,7 @@ void Foam::addedMassTensor::solve
         for (label i = 0; i <= nNonOrthogonal; ++i)
         {
             fvScalarMatrix eqn(fvm::laplacian(rRhof, P));
-            eqn.setReference(Pstream::master() ? 0 : -1, 0);
+            eqn.setReference(reference, 0);
             eqn.solve(mesh_.solver(p.name()));
         }
         for (label j = 0; j < 6; ++j)

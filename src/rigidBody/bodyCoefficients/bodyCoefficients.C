@@ -78,6 +78,18 @@ void Foam::checkBodyCoefficients(const dictionary& coefficients)
             );
         }
     }
+    for (const entry& e : coefficients.subOrEmptyDict("constraints"))
+    {
+        // OpenFOAM takes it as it is
+        if (e.isDict() && e.dict().get<word>("sixDoFRigidBodyMotionConstraint") == "plane")
+        {
+            const vector normal(e.dict().get<vector>("normal"));
+            if (mag(mag(normal) - 1) > 1e-3)
+            {
+                refuseEntry(e.dict(), "normal", text("is ", normal), "a vector of length 1.");
+            }
+        }
+    }
     if
     (
         (integrator == "Newmark" || integrator == "CrankNicolson")
@@ -90,6 +102,13 @@ void Foam::checkBodyCoefficients(const dictionary& coefficients)
             << " more than one axis does not keep its angular momentum. Use"
             << " symplectic or addedMass." << endl;
     }
+}
+
+
+bool Foam::hasLaggingRestraints(const dictionary& coefficients)
+{
+    const word integrator(coefficients.subDict("solver").get<word>("type"));
+    return (integrator == "Newmark" || integrator == "CrankNicolson") && coefficients.subOrEmptyDict("restraints").size();
 }
 
 // ************************************************************************* //

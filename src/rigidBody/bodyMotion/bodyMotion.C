@@ -3,6 +3,10 @@
 #include "bodyMotion.H"
 #include "bodyCoefficients.H"
 #include "fixedGradientFvPatchFields.H"
+#include "foamVersion.H"
+#include "pointConstraint.H"
+#include "sixDoFRigidBodyMotionConstraint.H"
+#include "sixDoFRigidBodyMotionRestraint.H"
 #include "sixDoFRigidBodyMotionSolver.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -49,12 +53,17 @@ Foam::bodyLoads Foam::bodyMotion::patchForces::calculate
     const point& centre
 )
 {
-    calcForcesMoment();
-
     bodyLoads l;
+    #if foamForcesAreVectors
+    calcForcesMoments();
+    l.pressure = sumPatchForcesP_;
+    l.viscous = sumPatchForcesV_;
+    #else
+    calcForcesMoment();
     l.pressure = sum(force_[0]);
     l.viscous = sum(force_[1]);
-    l.moment = momentEff() + ((coordSys_.origin() - centre) ^ forceEff());
+    #endif
+    l.moment = momentEff() + ((foamForcesOrigin - centre) ^ forceEff());
     return l;
 }
 
@@ -66,8 +75,39 @@ Foam::bodyMotion::bodyMotion(const fvMesh& mesh)
     mesh_(mesh),
     motion_(theSolver(mesh).motion()),
     dict_(theSolver(mesh).coeffDict()),
-    patches_(mesh.boundaryMesh().patchSet(dict_.get<wordRes>("patches")))
-{}
+    patches_(mesh.boundaryMesh().patchSet(dict_.get<wordRes>("patches"))),
+    freeForces_(tensor::I),
+    freeMoments_(tensor::I)
+{
+    pointConstraint forces;
+    pointConstraint moments;
+    for (const entry& e : dict_.subOrEmptyDict("constraints"))
+    {
+        if (e.isDict())
+        {
+            const auto constraint(sixDoFRigidBodyMotionConstraint::New(e.keyword(), e.dict(), motion_));
+            constraint->constrainTranslation(forces);
+            constraint->constrainRotation(moments);
+        }
+    }
+    for (const entry& e : dict_.subOrEmptyDict("restraints"))
+    {
+        if (e.isDict())
+        {
+            restraints_.append(sixDoFRigidBodyMotionRestraint::New(e.keyword(), e.dict()));
+        }
+    }
+    freeForces_ = forces.constraintTransformation();
+    freeMoments_ = moments.constraintTransformation();
+    checkBodyCoefficients(dict_);
+    startStep();
+}
+
+
+// * * * * * * * * * * * * * * * * Destructor  * * * * * * * * * * * * * * * //
+
+// Where the type of its restraints is complete
+Foam::bodyMotion::~bodyMotion() = default;
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -89,7 +129,13 @@ void Foam::bodyMotion::check(const boundBox& domain) const
             << exit(FatalIOError);
     }
 
-    checkBodyCoefficients(dict_);
+    if (hasLaggingRestraints(dict_))
+    {
+        WarningInFunction
+            << "solver " << integrator().get<word>("type") << " in " << dict_.name()
+            << " takes restraints as they stood a time step before: a spring with little damping gains energy. Use addedMass or symplectic."
+            << endl;
+    }
 
     // What lies on a plane of symmetry or on an axis is on the boundary, to round-off
     boundBox about(domain);
@@ -179,14 +225,33 @@ Foam::boundBox Foam::bodyMotion::bounds() const
 
 Foam::scalar Foam::bodyMotion::enclosedVolume() const
 {
-    // The boundary's normals point out of the flow, into the body
-    scalar volume = 0;
+    // The boundary's normals point out of the flow, into the body. Each of the coordinates gives the volume, by Gauss, unless
+    // the body is open to its side (at a plane of symmetry, at the ends of a slice) or has no face to it
+    vector net(Zero);
+    vector area(Zero);
+    vector volume(Zero);
     for (const label patchi : patches_)
     {
         const fvPatch& patch = mesh_.boundary()[patchi];
-        volume -= sum(patch.Cf() & patch.Sf())/mesh_.nGeometricD();
+        net += sum(patch.Sf());
+        area += sum(cmptMag(patch.Sf()));
+        volume -= sum(cmptMultiply(patch.Cf(), patch.Sf()));
     }
-    return returnReduce(volume, sumOp<scalar>());
+    reduce(net, sumOp<vector>());
+    reduce(area, sumOp<vector>());
+    reduce(volume, sumOp<vector>());
+
+    scalar all = 0;
+    label n = 0;
+    for (direction d = 0; d < 3; ++d)
+    {
+        if (area[d] > 1e-6*cmptSum(area) && mag(net[d]) < 1e-6*area[d])
+        {
+            all += volume[d];
+            ++n;
+        }
+    }
+    return n ? all/n : cmptSum(volume)/mesh_.nGeometricD();
 }
 
 

@@ -14,6 +14,9 @@ namespace
 
 using namespace Foam;
 
+//- A time step in which nothing moves, that integrators can divide by [s]
+constexpr scalar noStep = VSMALL;
+
 //- All that sixDoFRigidBodyMotion and its mesh motion solver read
 const wordHashSet keywords
 ({
@@ -70,7 +73,28 @@ dictionary checked(const dictionary& coefficients)
 
     dictionary result(coefficients);
     result.remove("report");
+    if (result.isDict("solver") && result.subDict("solver").getOrDefault<word>("type", "") == "addedMass")
+    {
+        // The flow's own coupling has the added mass: an estimate would only delay the body's acceleration
+        dictionary& solver = result.subDict("solver");
+        solver.set("addedMass", vector(Zero));
+        solver.set("addedInertia", vector(Zero));
+    }
     return result;
+}
+
+
+//- Share of the acceleration at the end of a step in the change of the velocity, of integrators that want it
+scalar endWeight(const dictionary& coefficients)
+{
+    const dictionary solver(coefficients.subOrEmptyDict("solver"));
+    const word type(solver.getOrDefault<word>("type", ""));
+    const scalar share =
+        type == "symplectic" ? 0.5
+      : type == "Newmark" ? solver.getOrDefault<scalar>("gamma", 0.5)
+      : type == "CrankNicolson" ? solver.getOrDefault<scalar>("aoc", 0.5)
+      : 0;
+    return share*coefficients.getOrDefault<scalar>("accelerationDamping", 1);
 }
 
 
@@ -116,11 +140,32 @@ Foam::freeBody::freeBody
     ),
     acceleration_(Zero),
     angularAcceleration_(Zero),
-    lastDeltaT_(0)
+    lastDeltaT_(0),
+    endWeight_(endWeight(coefficients)),
+    freeTranslation_(Zero),
+    freeRotation_(Zero)
 {
     // The first call in a process is not relaxed: use it up, without a step
     const sixDoFRigidBodyMotionState start(motion_.state());
     motion_.update(true, Zero, Zero, 0, 0);
+
+    // Which motions constraints leave, OpenFOAM tells nobody: what is left of unit ones
+    for (direction d = 0; d < 3; ++d)
+    {
+        vector unit(Zero);
+        unit[d] = 1;
+        sixDoFRigidBodyMotionState& s = motionState();
+        s = start;
+        s.v() = s.pi() = unit;
+        s.a() = s.tau() = Zero;
+        motion_.newTime();
+        motion_.update(true, Zero, Zero, 0, 0);
+        for (direction i = 0; i < 3; ++i)
+        {
+            freeTranslation_(i, d) = s.v()[i];
+            freeRotation_(i, d) = s.pi()[i];
+        }
+    }
     motionState() = start;
 }
 
@@ -141,6 +186,25 @@ Foam::vector Foam::freeBody::velocity() const
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+void Foam::freeBody::endLastStep(const vector& total, const vector& about)
+{
+    if (!(endWeight_ > 0))
+    {
+        return;
+    }
+    const sixDoFRigidBodyMotionState last(motion_.state());
+    motion_.newTime();
+    motion_.update(true, total, about, noStep, 0);
+    const vector a(motion_.state().a()), tau(motion_.state().tau());
+    sixDoFRigidBodyMotionState& s = motionState();
+    s = last;
+    s.v() += endWeight_*lastDeltaT_*(freeTranslation_ & (a - s.a()));
+    s.pi() += endWeight_*lastDeltaT_*(freeRotation_ & (tau - s.tau()));
+    s.a() = a;
+    s.tau() = tau;
+}
+
+
 void Foam::freeBody::advance
 (
     const vector& force,
@@ -153,19 +217,36 @@ void Foam::freeBody::advance
 
     // OpenFOAM takes moments about the centre of rotation
     const vector total(force + motion_.mass()*g_.value());
+    const vector about(moment + (motion_.momentArm() ^ total));
+    endLastStep(total, about);
     motion_.newTime();
-    motion_.update
-    (
-        true,
-        total,
-        moment + (motion_.momentArm() ^ total),
-        deltaT,
-        lastDeltaT_ > 0 ? lastDeltaT_ : deltaT
-    );
+    motion_.update(true, total, about, deltaT, deltaT);
 
     acceleration_ = (velocity() - lastVelocity)/deltaT;
     angularAcceleration_ = (motion_.omega() - lastOmega)/deltaT;
     lastDeltaT_ = deltaT;
+}
+
+
+Foam::bodyAcceleration Foam::freeBody::accelerationUnder(const vector& force, const vector& moment)
+{
+    const sixDoFRigidBodyMotionState now(motion_.state());
+    const vector omega(motion_.omega());
+    const vector total(force + motion_.mass()*g_.value());
+    motion_.newTime();
+    motion_.update(true, total, moment + (motion_.momentArm() ^ total), noStep, 0);
+    const vector linear(freeTranslation_ & motion_.state().a());
+    const vector torque(freeRotation_ & motion_.state().tau());
+    motionState() = now;
+
+    // In body axes I domega/dt = tau - omega x (I omega), of which constraints leave a part
+    const tensor& Q = motion_.orientation();
+    const diagTensor& I = motion_.momentOfInertia();
+    const vector spin(Q.T() & omega);
+    const vector change(torque - (freeRotation_ & (spin ^ (I & spin))));
+    const vector angular(Q & vector(change.x()/I.xx(), change.y()/I.yy(), change.z()/I.zz()));
+    const vector arm(motion_.centreOfMass() - motion_.centreOfRotation());
+    return {linear + (angular ^ arm) + (omega ^ (omega ^ arm)), angular};
 }
 
 

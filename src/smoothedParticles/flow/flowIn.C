@@ -14,13 +14,15 @@ Foam::smoothedParticles::flowIn<Real, dim>::flowIn
     const particleState<dim>& start,
     const particleFlowModel<dim>& model,
     int nThreads,
-    const wallMotions& moving
+    const wallMotions& moving,
+    const bodyResponse& response
 )
 :
     model_(model),
     nThreads_(nThreads),
     state_(model.rho0, model.interaction.c0, model.interaction.gamma),
     interaction_(model.interaction),
+    response_(response),
     time_(start.time),
     wall_(start.wall),
     x_(start.x),
@@ -194,7 +196,7 @@ std::size_t Foam::smoothedParticles::flowIn<Real, dim>::bytes() const
 {
     return
         neighbours_.bytes()
-      + neighbours_.size()*(fields::nFields + 3*dim + 2 + 2*dim*!bodies_.empty())*sizeof(Real)
+      + neighbours_.size()*(fields::nFields + 3*dim + 2 + 4*dim*!bodies_.empty())*sizeof(Real)
       + (model_.interaction.diffusion == diffusionType::Antuono)*neighbours_.size()*dim*sizeof(Real)
       + model_.energy*(neighbours_.size()*(dim + 2)*sizeof(Real) + x_.size()*4*sizeof(double))
       + (model_.shifting > 0)*neighbours_.size()*(2*dim + 3)*sizeof(Real)

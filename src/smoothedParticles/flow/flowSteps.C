@@ -12,42 +12,6 @@
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 template<class Real, int dim>
-void Foam::smoothedParticles::flowIn<Real, dim>::moveBodies(double part, double deltaT)
-{
-    for (auto& b : bodies_)
-    {
-        body& one = b.second;
-        one.at.centreOfMass = one.now.centreOfMass + part*(one.end.centreOfMass - one.now.centreOfMass);
-        one.at.orientation = one.now.orientation + part*(one.end.orientation - one.now.orientation);
-    }
-    for (const bodyParticle& p : bodyParticles_)
-    {
-        const Foam::vector end(p.of->end.centreOfMass + (p.of->end.orientation & p.inBody));
-        for (int d = 0; d < dim; ++d)
-        {
-            v_[p.now][d] = (end[d] - xOld_[p.now][d])/deltaT;
-            x_[p.now][d] = xOld_[p.now][d] + part*(end[d] - xOld_[p.now][d]);
-        }
-    }
-}
-
-
-template<class Real, int dim>
-void Foam::smoothedParticles::flowIn<Real, dim>::arriveBodies(double deltaT)
-{
-    const double weight = deltaT/(deltaT + model_.interaction.h/model_.interaction.c0);
-    for (auto& b : bodies_)
-    {
-        body& one = b.second;
-        const bodyState last(one.felt);
-        one.now = one.felt = one.end;
-        one.felt.acceleration = (1 - weight)*last.acceleration + weight*one.end.acceleration;
-        one.felt.angularAcceleration = (1 - weight)*last.angularAcceleration + weight*one.end.angularAcceleration;
-    }
-}
-
-
-template<class Real, int dim>
 void Foam::smoothedParticles::flowIn<Real, dim>::shift(double deltaT)
 {
     if (!(model_.shifting > 0))
@@ -214,7 +178,7 @@ void Foam::smoothedParticles::flowIn<Real, dim>::stepVerlet(double deltaT)
         }
     }
     moveBodies(1, deltaT);
-    arriveBodies(deltaT);
+    arriveBodies();
     shift(deltaT);
     sumAcceleration();
 
@@ -277,7 +241,7 @@ void Foam::smoothedParticles::flowIn<Real, dim>::stepSymplectic(double deltaT)
         }
     }
     moveBodies(1, deltaT);
-    arriveBodies(deltaT);
+    arriveBodies();
     shift(deltaT);
 }
 
@@ -347,7 +311,7 @@ double Foam::smoothedParticles::flowIn<Real, dim>::stableTimeStep() const
     if (contactFrequency2_ > 0)
     {
         // Half of what is stable: 2 over the frequency
-        step = std::min(step, 1/std::sqrt(contactFrequency2_));
+        step = std::min(step, 1/std::sqrt(contactFrequency2_ + bodyFrequency2_));
     }
     return step;
 }

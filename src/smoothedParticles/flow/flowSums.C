@@ -84,6 +84,8 @@ template<class Real, int dim>
 void Foam::smoothedParticles::flowIn<Real, dim>::extrapolateToWalls()
 {
     packWalls();
+    coupleBodies();
+    packImages();
     const std::int64_t n = x_.size();
     #pragma omp parallel for num_threads(nThreads_) schedule(static, turn)
     for (std::int64_t k = 0; k < n; ++k)
@@ -102,7 +104,7 @@ void Foam::smoothedParticles::flowIn<Real, dim>::packWalls()
     for (const bodyParticle& p : bodyParticles_)
     {
         const bodyState& felt = p.of->felt;
-        const Foam::vector r(toVector(x_[p.now]) - felt.centreOfMass);
+        const Foam::vector r(toVector(x_[p.now]) - p.of->at.centreOfMass);
         const Foam::vector a
         (
             felt.acceleration + (felt.angularAcceleration ^ r) + (felt.omega ^ (felt.omega ^ r))
@@ -124,15 +126,12 @@ void Foam::smoothedParticles::flowIn<Real, dim>::packWalls()
             continue;
         }
         const std::size_t i = place_[k];
-        const double p = wallPressure(i);
-        packed_(i, fields::density) = state_.density(p);
-        packed_(i, fields::pressure) = p;
+        packWallPressure(i);
         for (int d = 0; d < dim; ++d)
         {
             packed_(i, fields::v + d) = packed_.wallVelocity[d][i];
         }
     }
-    packImages();
 }
 
 
@@ -155,7 +154,6 @@ void Foam::smoothedParticles::flowIn<Real, dim>::sumAcceleration()
     packFields();
     extrapolateToWalls();
     interaction_.sumAcceleration(neighbours_, packed_, nThreads_);
-    sumLoads();
 
     const std::int64_t n = x_.size();
     #pragma omp parallel for num_threads(nThreads_) schedule(static, turn)
@@ -178,34 +176,6 @@ void Foam::smoothedParticles::flowIn<Real, dim>::sumAcceleration()
 
 
 template<class Real, int dim>
-void Foam::smoothedParticles::flowIn<Real, dim>::sumLoads()
-{
-    if (bodies_.empty())
-    {
-        return;
-    }
-    interaction_.sumWallForce(neighbours_, packed_, bodyPlaces_, nThreads_);
-    for (auto& b : bodies_)
-    {
-        b.second.loads = {Foam::vector::zero, Foam::vector::zero, Foam::vector::zero};
-    }
-    for (const bodyParticle& p : bodyParticles_)
-    {
-        Foam::vector push(Foam::vector::zero), friction(Foam::vector::zero);
-        for (int d = 0; d < dim; ++d)
-        {
-            push[d] = packed_.acceleration[d][place_[p.now]];
-            friction[d] = packed_.friction[d][place_[p.now]];
-        }
-        bodyLoads& loads = p.of->loads;
-        loads.pressure += push;
-        loads.viscous += friction;
-        loads.moment += (toVector(x_[p.now]) - p.of->at.centreOfMass) ^ (push + friction);
-    }
-}
-
-
-template<class Real, int dim>
 void Foam::smoothedParticles::flowIn<Real, dim>::sumEnergyRates()
 {
     packFields();
@@ -220,6 +190,7 @@ void Foam::smoothedParticles::flowIn<Real, dim>::sumEnergyRates()
     }
     packImages(packed_.velocity);
     packWalls();
+    packImages();
     interaction_.sumEnergyRate(neighbours_, packed_, nThreads_);
     #pragma omp parallel for num_threads(nThreads_) schedule(static, turn)
     for (std::int64_t k = 0; k < n; ++k)

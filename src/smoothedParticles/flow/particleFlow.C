@@ -48,7 +48,8 @@ std::unique_ptr<Foam::smoothedParticles::particleFlow<dim>> Foam::smoothedPartic
     const particleState<dim>& start,
     const particleFlowModel<dim>& model,
     int nThreads,
-    const wallMotions& moving
+    const wallMotions& moving,
+    const bodyResponse& response
 )
 {
     const interactionModel& m = model.interaction;
@@ -134,14 +135,14 @@ std::unique_ptr<Foam::smoothedParticles::particleFlow<dim>> Foam::smoothedPartic
 
     if (model.singlePrecision)
     {
-        return std::unique_ptr<particleFlow<dim>>(new flowIn<float, dim>(start, model, nThreads, moving));
+        return std::unique_ptr<particleFlow<dim>>(new flowIn<float, dim>(start, model, nThreads, moving, response));
     }
-    return std::unique_ptr<particleFlow<dim>>(new flowIn<double, dim>(start, model, nThreads, moving));
+    return std::unique_ptr<particleFlow<dim>>(new flowIn<double, dim>(start, model, nThreads, moving, response));
 }
 
 
 template std::unique_ptr<Foam::smoothedParticles::particleFlow<2>> Foam::smoothedParticles::newParticleFlow<2>
-(const particleState<2>&, const particleFlowModel<2>&, int, const wallMotions&);
+(const particleState<2>&, const particleFlowModel<2>&, int, const wallMotions&, const bodyResponse&);
 
 template std::unique_ptr<Foam::smoothedParticles::particleFlow<3>> Foam::smoothedParticles::newParticleFlow<3>
-(const particleState<3>&, const particleFlowModel<3>&, int, const wallMotions&);
+(const particleState<3>&, const particleFlowModel<3>&, int, const wallMotions&, const bodyResponse&);

@@ -77,6 +77,8 @@ void Foam::smoothedParticles::packedParticles<Real, dim>::moveWalls()
     {
         ownVelocity[d].assign(densityRate.size(), 0);
         ownAcceleration[d].assign(densityRate.size(), 0);
+        wallHead[d].assign(densityRate.size(), 0);
+        wallPush[d].assign(densityRate.size(), 0);
     }
 }
 

@@ -71,7 +71,7 @@ Foam::smoothedParticles::particleTables<dim>::particleTables
         "energy",
         "energy",
         (
-            std::string("time_s,kinetic_J,potential_J,internal_J,") + (model.contact.isOn() ? "contact_J," : "")
+            std::string("time_s,kinetic_J,potential_J,internal_J,") + (model.contact.isOn() ? "contact_J,deepest_in_walls_m," : "")
           + "max_speed_m_s,c0_at_least_10_max_speed_so_far"
           + (model.energy ? ",internal_eq2_J,wall_layers_J,dissipated_J,work_of_walls_J,budget_J" : "")
         ).c_str()
@@ -251,7 +251,7 @@ void Foam::smoothedParticles::particleTables<dim>::write(particleFlow<dim>& flow
     energy_ << time_.value() << e.kinetic << e.potential << e.internal;
     if (model_.contact.isOn())
     {
-        energy_ << e.contact;
+        energy_ << e.contact << flow.particlesInWalls().deepest;
     }
     energy_ << flow.maxSpeed() << soundSpeedHolds;
     if (model_.energy)

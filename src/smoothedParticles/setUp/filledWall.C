@@ -27,6 +27,12 @@ namespace
 //- Particles nearer than this part of the spacing to one of a wall are removed. Round-off does not decide at the half.
 constexpr Foam::scalar nearest = 0.5*(1 - 1e-6);
 
+//- A solid whose particles' volume is off by more is refused
+constexpr Foam::scalar volumeTolerance = 0.05;
+
+//- Radius of a solid, over the spacing, from which on particles resolve the flow about it
+constexpr Foam::scalar resolvedRadius = 2;
+
 } // End anonymous namespace
 
 
@@ -115,6 +121,85 @@ void Foam::smoothedParticles::filledWall::printSolid(Ostream& os) const
             << 100*(represented_.volume/solid.volume - 1) << " %); centroids "
             << mag(represented_.centroid() - solid.centroid())/grid_.spacing << " spacings apart; inertia differs by "
             << 100*mag(represented_.inertia() - solid.inertia())/mag(solid.inertia()) << " %" << nl;
+    }
+}
+
+
+Foam::scalar Foam::smoothedParticles::filledWall::radius(const scalar enough) const
+{
+    const auto depth = [&](const point& p){ return shape_.findNearest(p, GREAT).depth; };
+    scalarField depths(particles_.x.size());
+    forAll(depths, k)
+    {
+        depths[k] = depth(particles_.x[k]);
+    }
+
+    // Uphill from the deepest particles, of which some may be on a ridge
+    scalar largest = max(depths);
+    const scalar deep = largest - 0.25*grid_.spacing;
+    for (label k = 0; k < depths.size() && largest < enough; ++k)
+    {
+        point centre(particles_.x[k]);
+        scalar here = depths[k];
+        for (scalar step = here < deep ? 0 : 0.5*grid_.spacing; step > 0.01*grid_.spacing; step *= 0.5)
+        {
+            for (bool grows = true; grows;)
+            {
+                grows = false;
+                for (direction i = 0; i < 2*grid_.dim; ++i)
+                {
+                    point p(centre);
+                    p[i/2] += i % 2 ? step : -step;
+                    const scalar there = depth(p);
+                    if (there > here)
+                    {
+                        here = there;
+                        centre = p;
+                        grows = true;
+                    }
+                }
+            }
+        }
+        largest = max(largest, here);
+    }
+    return largest;
+}
+
+
+void Foam::smoothedParticles::filledWall::checkSolid(const dictionary& dict, DynamicList<string>& notes) const
+{
+    const scalar volume = shape_.measures().volume;
+    if (!(volume > 0))
+    {
+        return;
+    }
+    const word kind(grid_.dim == 2 ? "area" : "volume");
+    const scalar off = represented_.volume/volume - 1;
+    if (!(mag(off) <= volumeTolerance))
+    {
+        refuse
+        (
+            dict,
+            text
+            (
+                "Wall ", name, ": the ", kind, " of its particles is ", represented_.volume, ", of the solid ", volume, ": ",
+                100*off, " % off"
+            ),
+            text("at most ", 100*volumeTolerance, " %: a spacing below ", grid_.spacing, " m, or a thicker solid.")
+        );
+    }
+    const scalar enough = resolvedRadius*grid_.spacing;
+    const scalar largest = radius(enough);
+    if (largest < 0.999*enough)
+    {
+        notes.append
+        (
+            text
+            (
+                "The particles are coarse: their spacing, ", grid_.spacing, " m, is more than half the radius of ", name, ", ",
+                largest, " m: the forces on it may come out far too large."
+            )
+        );
     }
 }
 

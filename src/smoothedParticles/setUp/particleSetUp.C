@@ -6,6 +6,7 @@
 #include "fluidBox.H"
 #include "inputChecks.H"
 #include "smoothingKernels.H"
+#include "thinWalls.H"
 #include "walls.H"
 #include "weaklyCompressible.H"
 
@@ -20,6 +21,55 @@ using namespace Foam::smoothedParticles;
 //- With contact, particles whose edge is deeper than this part of the spacing in a wall are removed. Stretched cells are not;
 //  from there a spring with a factor of 0.1 drives a particle to c0/24.
 constexpr scalar touching = 0.1;
+
+//- Of a wall's wetted surface: a plate that is too thin on more is refused, on less is no matter
+constexpr scalar thinRefused = 0.5;
+constexpr scalar thinIgnored = 0.02;
+
+
+void checkThickness
+(
+    const dictionary& dict,
+    const shape& wall,
+    const PtrList<shape>& all,
+    const lattice& grid,
+    DynamicList<string>& notes
+)
+{
+    if (wall.surrounds())
+    {
+        return;
+    }
+    const thinPart thin(findThinPart(wall, all, grid));
+    const std::string where
+    (
+        text
+        (
+            "a plate down to ", thin.thickness, " m thick, at ", thin.x, ", where the kernel reaches ", grid.support,
+            " m: the liquid on its two sides meets through it"
+        )
+    );
+    if (thin.share > thinRefused)
+    {
+        refuse
+        (
+            dict,
+            text("Wall ", dict.get<word>("name"), " is, on ", label(100*thin.share + 0.5), " % of its surface, ", where),
+            text
+            (
+                "walls ", grid.support, " m thick, or a spacing up to ",
+                grid.spacing*thin.thickness/grid.support, " m."
+            )
+        );
+    }
+    if (thin.share > thinIgnored)
+    {
+        notes.append
+        (
+            text("On ", label(100*thin.share + 0.5), " % of its surface the wall ", dict.get<word>("name"), " is ", where, '.')
+        );
+    }
+}
 
 
 template<int dim>
@@ -49,7 +99,8 @@ Foam::smoothedParticles::particleState<dim> Foam::smoothedParticles::readParticl
 (
     const dictionary& geometry,
     const particleFlowModel<dim>& model,
-    const fileName& caseDirectory
+    const fileName& caseDirectory,
+    DynamicList<string>& notes
 )
 {
     checkKeywords(geometry, {"spacing", "fluid", "walls"});
@@ -85,12 +136,18 @@ Foam::smoothedParticles::particleState<dim> Foam::smoothedParticles::readParticl
         );
     }
 
+    forAll(walls, i)
+    {
+        checkThickness(wallDicts[i], shapes[i], shapes, grid, notes);
+    }
+
     // With contact walls have no particles, and no particle of fluid starts where it touches one
     const bool contact = model.contact.isOn();
     UPtrList<const filledWall> made;
     for (label i = 0; !contact && i < walls.size(); ++i)
     {
         walls[i].make(made, wallDicts[i]);
+        walls[i].checkSolid(wallDicts[i], notes);
         made.append(&walls[i]);
     }
 
@@ -199,14 +256,16 @@ template Foam::smoothedParticles::particleState<2> Foam::smoothedParticles::read
 (
     const dictionary&,
     const particleFlowModel<2>&,
-    const fileName&
+    const fileName&,
+    DynamicList<string>&
 );
 
 template Foam::smoothedParticles::particleState<3> Foam::smoothedParticles::readParticles
 (
     const dictionary&,
     const particleFlowModel<3>&,
-    const fileName&
+    const fileName&,
+    DynamicList<string>&
 );
 
 // ************************************************************************* //

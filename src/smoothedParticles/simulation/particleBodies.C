@@ -2,6 +2,7 @@
 
 #include "particleBodies.H"
 
+#include "wallLayers.H"
 #include "walls.H"
 
 #include "FlatOutput.H"
@@ -21,7 +22,8 @@ Foam::smoothedParticles::particleBodies<dim>::particleBodies
 :
     time_(runTime),
     model_(properties.modelled()),
-    surfaceLevel_(properties.outputs().lookupOrDefault<scalar>("surfaceLevel", 0))
+    surfaceLevel_(properties.outputs().lookupOrDefault<scalar>("surfaceLevel", 0)),
+    symmetry_(properties.symmetry())
 {
     const bool ends = properties.dict().found("until");
     if (!properties.dict().found("bodies"))
@@ -79,6 +81,12 @@ Foam::smoothedParticles::particleBodies<dim>::particleBodies
         );
     }
     starts_ = motions();
+    wallNames_ = wallNames;
+    obstacles_ = readShapes(properties.geometry(), properties.shapesOf(runTime.path()));
+    for (const shape& one : obstacles_)
+    {
+        surfaces0_.append(new pointField(one.outline().points));
+    }
     if (ends)
     {
         if (bodies_.size() != 1)
@@ -123,11 +131,22 @@ void Foam::smoothedParticles::particleBodies<dim>::advance(particleFlow<dim>& fl
 
 
 template<int dim>
+Foam::bodyAcceleration Foam::smoothedParticles::particleBodies<dim>::respond(const label wall, const bodyLoads& loads)
+{
+    return bodies_[walls_.find(wall)].accelerationUnder(loads.pressure + loads.viscous, loads.moment);
+}
+
+
+template<int dim>
 void Foam::smoothedParticles::particleBodies<dim>::write(const particleFlow<dim>& flow)
 {
     forAll(bodies_, i)
     {
-        const bodyState now(bodies_[i].state());
+        // The acceleration of the loads beside it, not the mean of the last step
+        bodyState now(bodies_[i].state());
+        const bodyAcceleration a(respond(walls_[i], flow.wallLoads(walls_[i])));
+        now.acceleration = a.linear;
+        now.angularAcceleration = a.angular;
         trajectories_[i].write
         (
             time_.value(),
@@ -162,6 +181,74 @@ bool Foam::smoothedParticles::particleBodies<dim>::end(Time& time)
         until_->end(time);
     }
     return happened;
+}
+
+
+template<int dim>
+bool Foam::smoothedParticles::particleBodies<dim>::reachesInto
+(
+    const label wall,
+    const label other,
+    const scalar tolerance,
+    point& where
+) const
+{
+    const shape& solid = obstacles_[other];
+    const auto poseOf = [&](const label w)
+    {
+        const label i = bodyOf(w);
+        bodyState rest{Zero, tensor::I, Zero, Zero, Zero, Zero};
+        return i < 0 ? std::make_pair(rest, rest) : std::make_pair(bodyState(bodies_[i].state()), starts_.at(w));
+    };
+    const auto from = poseOf(wall), to = poseOf(other);
+
+    // From the geometry's axes, where the surfaces are, to those of now and back to the other's of then
+    const tensor turn(from.first.orientation & from.second.orientation.T());
+    const tensor back(to.second.orientation & to.first.orientation.T());
+    for (const point& p : surfaces0_[wall])
+    {
+        const point now(from.first.centreOfMass + (turn & (p - from.second.centreOfMass)));
+        const point then(to.second.centreOfMass + (back & (now - to.first.centreOfMass)));
+        if
+        (
+            solid.bounds().contains(then) && isOnNearSide(now, symmetry_) && solid.contains(then)
+         && solid.findNearest(then, GREAT).depth > tolerance
+        )
+        {
+            where = now;
+            return true;
+        }
+    }
+    return false;
+}
+
+
+template<int dim>
+std::string Foam::smoothedParticles::particleBodies<dim>::collision(const scalar tolerance) const
+{
+    for (const label body : walls_)
+    {
+        forAll(obstacles_, other)
+        {
+            point where;
+            const bool isBody = bodyOf(other) >= 0;
+            if
+            (
+                other != body && !(isBody && other < body)
+             && (
+                    reachesInto(body, other, tolerance, where)
+                 || (!obstacles_[other].surrounds() && reachesInto(other, body, tolerance, where))
+                )
+            )
+            {
+                return text
+                (
+                    "The body ", wallNames_[body], " meets the ", isBody ? "body " : "wall ", wallNames_[other], " at ", where, " m"
+                );
+            }
+        }
+    }
+    return "";
 }
 
 

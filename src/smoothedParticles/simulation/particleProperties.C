@@ -323,7 +323,7 @@ void Foam::smoothedParticles::particleProperties::readContact(const fileName& ca
     {
         contact.maxDepth = common_.spacing*readPositive(dict, "maxDepth");
     }
-    const shape::setting where{int(dimensions_), caseDirectory, supportRatio*common_.interaction.h};
+    const shape::setting where(shapesOf(caseDirectory));
     for (const dictionary& wall : readWalls(geometry()))
     {
         contact.walls.emplace_back(shape::New(wall, where), common_.spacing);
@@ -423,6 +423,12 @@ Foam::smoothedParticles::particleProperties::particleProperties(const Time& runT
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::shape::setting Foam::smoothedParticles::particleProperties::shapesOf(const fileName& caseDirectory) const
+{
+    return {int(dimensions_), caseDirectory, supportRatio*common_.interaction.h};
+}
+
+
 Foam::modelledPart Foam::smoothedParticles::particleProperties::modelled() const
 {
     bool across[3] = {};
@@ -476,6 +482,14 @@ void Foam::smoothedParticles::particleProperties::print(Ostream& os) const
         << (m.viscosity == viscosityType::laminar ? m.mu : scalar(0)) << " Pa s, gamma " << m.gamma << nl
         << "Speed of sound: c0 = " << m.c0 << " m/s, k0 = rho c0^2/gamma = " << common_.rho0*sqr(m.c0)/m.gamma
         << " Pa; a tenth of c0 is " << boundOnSpeed() << " m/s" << endl;
+    if (m.acousticDamper > 0)
+    {
+        os  << "Acoustic damper: a bulk viscosity of " << m.acousticDamper << " rho h c0" << endl;
+    }
+    if (common_.wallTension > 0)
+    {
+        os  << "Wall tension: walls hold the liquid up to " << common_.wallTension << " Pa below zero" << endl;
+    }
     if (common_.shifting > 0)
     {
         os  << "Shifting: coefficient " << common_.shifting << endl;
@@ -493,7 +507,7 @@ void Foam::smoothedParticles::particleProperties::print(Ostream& os) const
 }
 
 
-void Foam::smoothedParticles::particleProperties::printScene(Ostream& os) const
+void Foam::smoothedParticles::particleProperties::printScene(Ostream& os, const UList<string>& notes) const
 {
     const interactionModel& m = common_.interaction;
     os  << "Scene" << nl
@@ -507,8 +521,12 @@ void Foam::smoothedParticles::particleProperties::printScene(Ostream& os) const
              : "The walls slip: there is no boundary layer and no friction, which plungeFoam has"
            )
         << '.' << nl
-        << "    Note: The liquid is as soft as c0 = " << m.c0 << " m/s: pressures of an impact ring with that speed of sound." << nl
-        << endl;
+        << "    Note: The liquid is as soft as c0 = " << m.c0 << " m/s: pressures of an impact ring with that speed of sound." << nl;
+    for (const string& note : notes)
+    {
+        os  << "    Note: " << note.c_str() << nl;
+    }
+    os  << endl;
 }
 
 

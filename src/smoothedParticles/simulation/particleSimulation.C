@@ -10,6 +10,17 @@
 
 #include <stdexcept>
 
+// * * * * * * * * * * * * * * Local Functions  * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Surfaces that are deeper than this part of the spacing in each other collide; what rests on a wall does not
+constexpr Foam::scalar contactTolerance = 0.01;
+
+} // End anonymous namespace
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 template<int dim>
@@ -32,6 +43,13 @@ Foam::smoothedParticles::particleSimulation<dim>::particleSimulation
     const particleState<dim> first(start());
     build(first);
     bodies_.makeSurfaces();
+    const std::string collision(bodies_.collision(contactTolerance*model_.spacing));
+    if (collision.size())
+    {
+        FatalErrorInFunction
+            << collision.c_str() << " at the start, " << time_.value() << " s" << nl
+            << "Expected: bodies apart from walls and from each other, which have no contact." << exit(FatalError);
+    }
 
     const std::size_t nFluid = std::count(first.wall.begin(), first.wall.end(), first.fluid);
     Info<< "Start: " << label(nFluid) << " of the fluid, " << label(first.size() - nFluid) << " of walls, from "
@@ -39,7 +57,7 @@ Foam::smoothedParticles::particleSimulation<dim>::particleSimulation
         << "Computation: " << nThreads_ << " threads, " << flow_->instructions() << ", "
         << scalar(flow_->bytes())/1048576 << " MiB" << nl << endl;
 
-    properties_.printScene(Info);
+    properties_.printScene(Info, notes_);
     Info<< "Mach number: " << flow_->maxSpeed()/model_.interaction.c0 << ", of " << flow_->maxSpeed()
         << " m/s, the highest speed of fluid and bodies at the start" << nl << endl;
     checkSpeed();
@@ -91,7 +109,7 @@ Foam::smoothedParticles::particleState<dim> Foam::smoothedParticles::particleSim
             << "No particles to start from at time " << time_.timeName() << ": " << checkpoint << " is missing" << nl
             << "Expected: a time that plungeSPH has written, or 0, for the geometry." << exit(FatalError);
     }
-    return readParticles<dim>(properties_.geometry(), model_, time_.path());
+    return readParticles<dim>(properties_.geometry(), model_, time_.path(), notes_);
 }
 
 
@@ -115,7 +133,11 @@ void Foam::smoothedParticles::particleSimulation<dim>::build(const particleState
     }
     try
     {
-        flow_ = newParticleFlow<dim>(state, model_, nThreads_, bodies_.motions());
+        flow_ = newParticleFlow<dim>
+        (
+            state, model_, nThreads_, bodies_.motions(),
+            [this](const label wall, const bodyLoads& loads){ return bodies_.respond(wall, loads); }
+        );
     }
     catch (const std::invalid_argument& e)
     {
@@ -185,6 +207,7 @@ void Foam::smoothedParticles::particleSimulation<dim>::report()
 {
     tables_.write(*flow_, soundSpeedHolds_);
     bodies_.write(*flow_);
+    noteParticlesInWalls();
     progress_.print(*flow_, particleSteps_ + flow_->nParticleSteps(), pairs_ + flow_->nPairs());
 }
 
@@ -197,13 +220,48 @@ void Foam::smoothedParticles::particleSimulation<dim>::endAtEvent()
 
 
 template<int dim>
+void Foam::smoothedParticles::particleSimulation<dim>::stopAtCollision()
+{
+    const std::string collision(bodies_.collision(contactTolerance*model_.spacing));
+    if (collision.size())
+    {
+        writeNow();
+        FatalErrorInFunction
+            << collision.c_str() << ", at " << time_.value() << " s: they have no contact, and would pass through each other" << nl
+            << "The state has been written to " << time_.timePath() << nl
+            << "Expected: an end before, by endTime or until, or a wall that is farther." << exit(FatalError);
+    }
+}
+
+
+template<int dim>
+void Foam::smoothedParticles::particleSimulation<dim>::noteParticlesInWalls()
+{
+    const auto inWalls(flow_->particlesInWalls());
+    const scalar deepest = inWalls.deepest/model_.spacing;
+    // Once, and again where it is twice as bad
+    if (deepest > max(0.5, 2*deepestNoted_))
+    {
+        deepestNoted_ = deepest;
+        Info<< "Run" << nl << "    Note: At " << time_.value() << " s the springs of contact let " << label(inWalls.n)
+            << " particles behind the surfaces of walls, the deepest by " << deepest << " spacings." << endl;
+    }
+}
+
+
+template<int dim>
 void Foam::smoothedParticles::particleSimulation<dim>::write()
 {
-    if (!time_.writeTime() && !hasEnded_)
+    if (time_.writeTime() || hasEnded_)
     {
-        return;
+        writeNow();
     }
+}
 
+
+template<int dim>
+void Foam::smoothedParticles::particleSimulation<dim>::writeNow()
+{
     const particleState<dim> state(this->state());
     try
     {

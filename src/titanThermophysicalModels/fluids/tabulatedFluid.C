@@ -272,6 +272,14 @@ public:
                 formatted("relative error of the table is %.3g: expected %.3g to %.3g", limits.relativeError, 1e-10, 1)
             );
         }
+        // A phase that ends within the table ends at a corner of it: no polynomial may bridge that
+        for (const double T : {limits.Tmin, limits.Tmax})
+        {
+            for (const double p : {limits.pMin, limits.pMax})
+            {
+                direct_->value(property::density, T, p);
+            }
+        }
         for (const property q : tabulated)
         {
             makeTable(q);

@@ -495,12 +495,45 @@ void Foam::titan::helmholtzMixture::isotherm::pressure(double molarDensity, doub
 }
 
 
+template<class End>
+void Foam::titan::helmholtzMixture::isotherm::checkBranch(double root, double p, phase ph, const End& isEnd) const
+{
+    // Between the spinodals the reference equations oscillate, through further roots at which the pressure rises. On the
+    // branch of a phase the slope rises all the way from the root to the dense end (liquid) or to the dilute end (gas).
+    constexpr double shortestStep = 5e-4;
+    constexpr double longestStep = 0.01;
+    constexpr double growth = 1.5;
+
+    double rho = root;
+    double value, slope;
+    pressure(rho, value, slope);
+    double lastSlope = 0;
+    for (double step = shortestStep; slope > lastSlope; step = std::min(growth*step, longestStep))
+    {
+        if (isEnd(rho, slope))
+        {
+            // The equations may lose their meaning in the last per cents before the spinodal
+            stateAtRoot(root);
+            return;
+        }
+        lastSlope = slope;
+        rho *= ph == phase::liquid ? 1 + step : 1 - step;
+        pressure(rho, value, slope);
+    }
+    refusePhase(mixture_.x_, T_, p, ph);
+}
+
+
 double Foam::titan::helmholtzMixture::isotherm::liquidDensity(double p, double guess) const
 {
-    // The isotherm is convex from the spinodal upwards: Newton's method from the dense side falls towards the root and
-    // stays in that branch. A step of a tenth cannot cross the unstable branch, which is wider below 125 K.
+    // The isotherm is convex from the spinodal upwards: Newton's method from the dense side falls towards the root, and
+    // where the slope rises again the spinodal has been crossed
     constexpr double longestStep = 0.1;
     constexpr double closeStep = 0.02;
+
+    // Reduced slope above which nothing of the unstable region is met. It is 9 at nitrogen's boiling point, 30 and more
+    // in lakes, and 4 or less in every saturated liquid that a positive pressure can bring to its spinodal.
+    const double steepSlope = 8*mixture_.R_*T_;
 
     double value, slope;
 
@@ -509,7 +542,14 @@ double Foam::titan::helmholtzMixture::isotherm::liquidDensity(double p, double g
     {
         // A guess counts if it is as good as at the root
         pressure(rho, value, slope);
-        if (!(slope > 0 && std::abs(value - p) < closeStep*slope*rho && rho > 0.8*startingDensity(mixture_.x_, T_)))
+        if
+        (
+           !(
+                slope > steepSlope
+             && std::abs(value - p) < closeStep*slope*rho
+             && rho > 0.8*startingDensity(mixture_.x_, T_)
+            )
+        )
         {
             guess = 0;
         }
@@ -531,17 +571,25 @@ double Foam::titan::helmholtzMixture::isotherm::liquidDensity(double p, double g
             rho *= 1.03;
         }
     }
+    double lastSlope = std::numeric_limits<double>::infinity();
     for (int k = 0; k < maxIterations; ++k)
     {
-        if (!(slope > 0))
+        if (!(slope > 0) || slope > lastSlope*(1 + newtonTolerance))
         {
             break;
         }
         const double step = (value - p)/slope;
         if (std::abs(step) < newtonTolerance*rho)
         {
-            return rho - step;
+            rho -= step;
+            if (slope < steepSlope)
+            {
+                checkBranch(rho, p, phase::liquid, [=](double, double s){return s > steepSlope;});
+            }
+            return rho;
         }
+        // From a guess on the thin side the first step climbs
+        lastSlope = step > 0 ? slope : std::numeric_limits<double>::infinity();
         rho -= std::min(step, longestStep*rho);
         pressure(rho, value, slope);
     }
@@ -558,6 +606,9 @@ double Foam::titan::helmholtzMixture::isotherm::gasDensity(double p) const
     // The gas is stable up to here at every temperature
     constexpr double diluteDelta = 0.02;
 
+    // The slope halves well before the spinodal: farther away than the longest step
+    const double flatSlope = 0.5*mixture_.R_*T_;
+
     double rho = std::min(p/(mixture_.R_*T_), diluteDelta*mixture_.rhor_);
     double lastSlope = std::numeric_limits<double>::infinity();
     for (int k = 0; k < maxIterations; ++k)
@@ -572,7 +623,13 @@ double Foam::titan::helmholtzMixture::isotherm::gasDensity(double p) const
         const double step = (p - value)/slope;
         if (std::abs(step) < newtonTolerance*rho)
         {
-            return rho + step;
+            rho += step;
+            if (slope < flatSlope)
+            {
+                const double dilute = diluteDelta*mixture_.rhor_;
+                checkBranch(rho, p, phase::gas, [=](double r, double){return r < dilute;});
+            }
+            return rho;
         }
         rho += std::min(step, longestStep*rho);
     }
@@ -658,14 +715,22 @@ Foam::titan::fluidState Foam::titan::helmholtzMixture::isotherm::stateAtRoot(dou
     const double cv = idealCv - aTT;                    // over R
     const double cp = cv + dpdT*dpdT/dpdrho;
 
-    // Attraction only adds to the heat capacity: less than the ideal gas has comes of an equation beyond its range
-    if (!(dpdrho > 0) || !(cv > 0.99*idealCv) || !std::isfinite(cp))
+    auto refuse = [&](const char* why)
     {
         throw thermoError
         (
             thermoError::reason::noSuchPhase,
-            formatted("at %.6g K and %.6g mol/m3 ", T_, molarDensity) + m.x_.name() + " is mechanically unstable"
+            formatted("at %.6g K and %.6g mol/m3 ", T_, molarDensity) + m.x_.name() + why
         );
+    };
+    if (!(dpdrho > 0))
+    {
+        refuse(" is mechanically unstable");
+    }
+    // Attraction only adds to the heat capacity: less than the ideal gas has comes of an equation beyond its range
+    if (!(cv > 0.99*idealCv) || !std::isfinite(cp))
+    {
+        refuse(" is beyond what the equation of state describes: the heat capacity falls below that of the ideal gas");
     }
 
     fluidState s;

@@ -266,14 +266,18 @@ Foam::titan::fluidSelection::fluidSelection(const dictionary& dict)
     }
     if (found.size() != 1)
     {
-        const std::vector<std::string> names(namedFluid::names());
+        wordList names;
+        for (const std::string& name : namedFluid::names())
+        {
+            names.append(name);
+        }
         refuse
         (
             dict,
             text("No single fluid: entries ", flatOutput(found)),
             text
             (
-                "one of fluid, the name of a lake or an air ", flatOutput(wordList(names.begin(), names.end())),
+                "one of fluid, the name of a lake or an air ", flatOutput(names),
                 ", composition, with T and p, or stratification."
             )
         );

@@ -24,6 +24,8 @@ _SINGLE_REACH = {"half": 1.6, "full": 1.6, "axisymmetric": 3.2, "plane": 6.0}
 _SINGLE_OUTER_LAYERS = {"half": 1.5, "full": 1.5, "axisymmetric": 1.5, "plane": 2.0}
 # Length of the forebody over the body's largest radius below which a body is blunt: the liquid climbs it faster than the body sinks
 _SLENDER = 5.0
+# Spacing at the nose of a blunt body at most, over its largest radius: all of the forebody meets the liquid at once
+_BLUNT_SPACING = 0.125
 # Pressure corrections: the flow at the corners of blunt bodies wants a second one, and larger Courant numbers do; larger diffusion
 # numbers, for which the solver asks, a third
 _CORRECTIONS = {"half": 1, "full": 1, "axisymmetric": 2, "plane": 2}
@@ -44,23 +46,30 @@ class Meshes(Asked):
         return shape.upper if shape.dimensions == 2 else shape.curve if shape.isRevolution else None
 
     @property
-    def courant(self) -> float:
-        """Of the tier's Courant numbers; the impact of a blunt body is over in few steps. A surface counts as blunt."""
+    def blunt(self) -> bool:
+        """Has the body a short forebody? A surface counts as blunt."""
         curve, radius = self.curve, self.scene.shape.max_diameter / 2
-        slender = curve is not None and float(curve.point(np.array([curve.widest]))[0][0]) >= _SLENDER * radius
-        return 1.0 if slender else self.tier["bluntCourant"]
+        return curve is None or float(curve.point(np.array([curve.widest]))[0][0]) < _SLENDER * radius
+
+    @property
+    def courant(self) -> float:
+        """Of the tier's Courant numbers; the impact of a blunt body is over in few steps."""
+        return self.tier["bluntCourant"] if self.blunt else 1.0
 
     def size(self) -> MeshSize:
         """The body mesh's [m]; counts grow with the resolution, spacings shrink, the outer surface stays."""
         scale, tier, resolution = self.scene.scale, self.tier, self.resolution
         unit = scale / resolution
-        blunt = max(1.0, self.scene.shape.nose_radius / (_NOSE_RADIUS * scale))
+        rounder = max(1.0, self.scene.shape.nose_radius / (_NOSE_RADIUS * scale))
+        nose = min(tier["noseSpacing"] * rounder, tier["bodySpacing"]) * unit
+        if self.blunt:
+            nose = min(nose, _BLUNT_SPACING * self.scene.shape.max_diameter / 2 / resolution)
         size = MeshSize(
             cap_cells=round(tier["capCells"] * resolution),
             ring_cells=max(1, round(tier["ringCells"] * resolution)),
             axial_cells=(),
             layers=round(tier["layers"] * resolution), outer_layers=0,
-            nose_spacing=min(tier["noseSpacing"] * blunt, tier["bodySpacing"]) * unit, body_spacing=tier["bodySpacing"] * unit,
+            nose_spacing=nose, body_spacing=tier["bodySpacing"] * unit,
             tail_spacing=tier["tailSpacing"] * unit, corner_spacing=tier["noseSpacing"] * unit, growth=tier["growth"] / resolution,
             offset=tuple(scale * d for d in tier["offset"]), stretching=tuple(tier["stretching"]), reach=0.0,
         )
@@ -188,8 +197,10 @@ def sections(meshes: Meshes, decided: dict[str, Decision]) -> list[tuple[str, di
     turbulence, wanted = [], None
     if decided["boundary_layer"].choice == "wallFunction":
         wanted = boundaryLayer.wall_function_layer(scene.reynolds, length)
+    elif decided["boundary_layer"].choice == "laminar":
+        wanted = boundaryLayer.resolving_layer(scene.wetted_reynolds, scene.wetted_length)
     body = body_mesh(meshes, wanted)
-    if wanted is not None:
+    if decided["boundary_layer"].choice == "wallFunction":
         low, high = boundaryLayer.WALL_DISTANCES
         y_plus = boundaryLayer.WALL_DISTANCE * body.first_layer / wanted
         if not low <= y_plus <= high:
@@ -233,7 +244,8 @@ def decide(meshes: Meshes, boundary_layer: str, surface_tension: str) -> dict[st
     """What the flow holds."""
     scene = meshes.scene
     return {
-        "boundary_layer": decisions.boundary_layer(scene, "meshes", boundary_layer, body_mesh(meshes, None).first_layer),
+        "boundary_layer": decisions.boundary_layer(scene, "meshes", boundary_layer, body_mesh(meshes, None).first_layer,
+                                                   meshes.model in ("axisymmetric", "plane")),
         "surface_tension": decisions.surface_tension(scene, "meshes", surface_tension),
         "compressibility": decisions.compressibility(scene, "meshes"),
     }

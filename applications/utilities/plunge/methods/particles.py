@@ -113,7 +113,7 @@ def decide(particles: Particles, c0: float, boundary_layer: str, surface_tension
         scene.notes.append(f"gap: the body is {scene.lowest:.3g} m above the surface, but particles reach {reach:.3g} m: it is loaded before contact")
     mach = scene.reference_speed / c0
     return {
-        "boundary_layer": decisions.boundary_layer(scene, "particles", boundary_layer, 0.0),
+        "boundary_layer": decisions.boundary_layer(scene, "particles", boundary_layer, 0.0, False),
         "surface_tension": decisions.surface_tension(scene, "particles", surface_tension),
         "compressibility": Decision("artificial", f"c0 = {c0:.3g} m/s, Ma = {mach:.3g}" + (": above 0.1 the density changes visibly" if mach > 0.11 else "")),
     }

@@ -19,6 +19,10 @@ _READERS = {".stl": "vtkSTLReader", ".obj": "vtkOBJReader"}
 
 # Points nearer to each other than this share of the diagonal are one: many times the rounding of an STL's single precision.
 _MERGED = 1e-6
+# Triangles pass through each other where the ends of an edge are farther than this share of the diagonal from a plane that it crosses
+_CROSSED = 1e-5
+# Runs of triangles that a message names
+_NAMED = 8
 # Diameter of a body of revolution over that of the cylinder of its volume and length: a spheroid has 1.22, NACA-0010 1.35
 _FULLNESS = 1.3
 # Longest and shortest body [m] that is believed
@@ -54,7 +58,8 @@ def _volume(points: np.ndarray, triangles: np.ndarray) -> float:
     return float(np.einsum("ij,ij->", a, np.cross(b, c)) / 6)
 
 
-def _polydata(points: np.ndarray, triangles: np.ndarray) -> Any:
+def polydata(points: np.ndarray, triangles: np.ndarray) -> Any:
+    """Triangles as VTK has them."""
     from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
     from vtkmodules.vtkCommonCore import vtkPoints
     from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
@@ -84,12 +89,13 @@ def _distance(points: np.ndarray, triangles: np.ndarray, probes: np.ndarray) -> 
     from vtkmodules.vtkFiltersCore import vtkImplicitPolyDataDistance
 
     function, found = vtkImplicitPolyDataDistance(), vtkDoubleArray()
-    function.SetInput(_polydata(points, triangles))
+    function.SetInput(polydata(points, triangles))
     function.FunctionValue(numpy_to_vtk(np.ascontiguousarray(probes, dtype=float), deep=True), found)
     return vtk_to_numpy(found).copy()
 
 
-def _read(path: Path) -> tuple[np.ndarray, np.ndarray]:
+def read_triangles(path: Path) -> tuple[np.ndarray, np.ndarray]:
+    """Points and triangles of an STL or OBJ file, as they are there."""
     from vtkmodules import vtkIOGeometry
     from vtkmodules.vtkCommonCore import vtkObject
     from vtkmodules.vtkFiltersCore import vtkTriangleFilter
@@ -116,20 +122,56 @@ def _read(path: Path) -> tuple[np.ndarray, np.ndarray]:
     return points, triangles
 
 
-def _merged(points: np.ndarray, triangles: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def _runs(numbers: np.ndarray) -> str:
+    """Ascending numbers of triangles in runs: 0-11 17 20-23."""
+    groups = np.split(numbers, 1 + np.flatnonzero(np.diff(numbers) > 1))
+    named = " ".join(f"{g[0]}-{g[-1]}" if len(g) > 1 else f"{g[0]}" for g in groups[:_NAMED])
+    return f"from 0 the triangles {named}" + (" ..." if len(groups) > _NAMED else "")
+
+
+def _crossing(points: np.ndarray, triangles: np.ndarray) -> np.ndarray:
+    """Triangles that pass through others: both ends of an edge of theirs are clearly on either side of a triangle inside which
+    it crosses that one's plane, or the reverse."""
+    from vtkmodules.vtkCommonCore import vtkIdList, vtkPoints
+    from vtkmodules.vtkFiltersGeneral import vtkOBBTree
+
+    tree, hits, found = vtkOBBTree(), vtkPoints(), vtkIdList()
+    tree.SetDataSet(polydata(points, triangles))
+    tree.SetTolerance(1e-12)    # with 0 it finds nothing
+    tree.BuildLocator()
+    edges, number, _ = _edges(triangles)
+    pairs = []
+    for edge, (a, b) in enumerate(edges):
+        tree.IntersectWithLine(points[a], points[b], hits, found)
+        pairs += [(edge, found.GetId(i)) for i in range(found.GetNumberOfIds())]
+    if not pairs:
+        return np.empty(0, dtype=int)
+    edge, met = np.array(pairs).T
+    corners, ends = points[triangles[met]], points[edges[edge]]
+    normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    normal /= np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-300)
+    height = np.einsum("ikj,ij->ik", ends - corners[:, :1], normal)
+    tolerance = _CROSSED * np.linalg.norm(np.ptp(points, axis=0))
+    apart = (triangles[met][:, :, None] != edges[edge][:, None, :]).all(axis=(1, 2))
+    crossed = apart & (height.prod(axis=1) < 0) & (np.abs(height).min(axis=1) > tolerance)
+    owners = np.argsort(number, kind="stable").reshape(-1, 2) // 3    # the two triangles of each edge
+    return np.unique(np.concatenate((met[crossed], owners[edge[crossed]].ravel())))
+
+
+def _merged(points: np.ndarray, triangles: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Equal points made one; dropped are triangles that have no area because of that, those that lie on each other in pairs and
-    enclose nothing, and points that no triangle uses."""
+    enclose nothing, and points that no triangle uses. And the number that each triangle had."""
     points, number = np.unique(points, axis=0, return_inverse=True)
     tolerance = _MERGED * np.linalg.norm(np.ptp(points, axis=0))
     group = _parts(cKDTree(points).query_pairs(tolerance, output_type="ndarray"), len(points))
     _, first = np.unique(group, return_index=True)
     points, triangles = points[first], group[number.ravel()[triangles]]
     a, b, c = triangles.T
-    triangles = triangles[(a != b) & (b != c) & (c != a)]
-    _, first, count = np.unique(np.sort(triangles, axis=1), axis=0, return_index=True, return_counts=True)
-    triangles = triangles[np.sort(first[count % 2 == 1])]
-    used, triangles = np.unique(triangles, return_inverse=True)
-    return points[used], triangles.reshape(-1, 3)
+    kept = np.flatnonzero((a != b) & (b != c) & (c != a))
+    _, first, count = np.unique(np.sort(triangles[kept], axis=1), axis=0, return_index=True, return_counts=True)
+    kept = kept[np.sort(first[count % 2 == 1])]
+    used, triangles = np.unique(triangles[kept], return_inverse=True)
+    return points[used], triangles.reshape(-1, 3), kept
 
 
 def _checked_closed(points: np.ndarray, triangles: np.ndarray, source: str) -> None:
@@ -152,15 +194,15 @@ def _checked_closed(points: np.ndarray, triangles: np.ndarray, source: str) -> N
         f"{at((low + high) / 2)}, from {at(low)} to {at(high)} in the file's units; expected every edge to have two triangles")
 
 
-def _oriented(points: np.ndarray, triangles: np.ndarray) -> tuple[np.ndarray, np.ndarray, int]:
-    """The triangles of a closed surface wound outwards, each one's part, and how many had to be turned."""
+def _oriented(points: np.ndarray, triangles: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """The triangles of a closed surface wound outwards, each one's part, and which had to be turned."""
     from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 
     _, number, _ = _edges(triangles)
     pairs = np.argsort(number, kind="stable").reshape(-1, 2) // 3
     part = _parts(pairs, len(triangles))
     consistent = vtkPolyDataNormals()
-    consistent.SetInputData(_polydata(points, triangles))
+    consistent.SetInputData(polydata(points, triangles))
     consistent.ConsistencyOn()
     consistent.SplittingOff()
     consistent.ComputePointNormalsOff()
@@ -172,40 +214,46 @@ def _oriented(points: np.ndarray, triangles: np.ndarray) -> tuple[np.ndarray, np
         if _volume(points, turned[own]) < 0:
             turned[own] = turned[own, ::-1]
     normals = [np.cross(points[t[:, 1]] - points[t[:, 0]], points[t[:, 2]] - points[t[:, 0]]) for t in (triangles, turned)]
-    return turned, part, int((np.einsum("ij,ij->i", *normals) < 0).sum())
+    return turned, part, np.flatnonzero(np.einsum("ij,ij->i", *normals) < 0)
 
 
-def _united(points: np.ndarray, triangles: np.ndarray, part: np.ndarray, source: str, notes: list[str]) -> tuple[np.ndarray, np.ndarray]:
+def _united(points: np.ndarray, triangles: np.ndarray, part: np.ndarray, number: np.ndarray, source: str,
+            notes: list[str]) -> tuple[np.ndarray, np.ndarray]:
     """The one outer surface of all parts: what lies inside another part is dropped, parts that overlap are united."""
     from vtkmodules.vtkCommonCore import vtkObject
     from vtkmodules.vtkFiltersGeneral import vtkLoopBooleanPolyDataFilter
 
-    parts = [_merged(points, triangles[part == name]) for name in range(part.max() + 1)]
-    parts.sort(key=lambda p: -_volume(*p))
-    whole = parts.pop(0)
+    parts = [_merged(points, triangles[part == name])[:2] for name in range(part.max() + 1)]
+    bySize = sorted(range(len(parts)), key=lambda k: -_volume(*parts[k]))
+    named = [_runs(number[part == k]) for k in bySize]
+    parts = [parts[k] for k in bySize]
+    whole, _ = parts.pop(0), named.pop(0)
     dropped = united = 0
     while parts:
         inside = [_distance(*whole, p[0]) < 0 for p in parts]
-        met = [k for k, (p, i) in enumerate(zip(parts, inside)) if i.any() or (_distance(*p, whole[0]) < 0).any()]
+        # Points inside, or triangles that cross though no point of one part is inside the other: a wing through a hull
+        met = [k for k, (p, i) in enumerate(zip(parts, inside)) if i.any() or (_distance(*p, whole[0]) < 0).any()
+               or len(_crossing(np.vstack((whole[0], p[0])), np.vstack((whole[1], p[1] + len(whole[0])))))]
         if not met:
-            raise SurfaceError(f"{source}: has {len(parts) + 1} closed parts that do not touch; expected one body")
-        other, within = parts.pop(met[0]), inside[met[0]]
+            raise SurfaceError(f"{source}: has {len(parts) + 1} closed parts that do not touch, or in their faces only; expected one body: "
+                               f"unite them in the program that made the file. The smallest one has {named[-1]}")
+        other, within, its = parts.pop(met[0]), inside[met[0]], named.pop(met[0])
         if within.all():
             dropped += 1
             continue
         union = vtkLoopBooleanPolyDataFilter()
         union.SetOperationToUnion()
-        union.SetInputData(0, _polydata(*whole))
-        union.SetInputData(1, _polydata(*other))
+        union.SetInputData(0, polydata(*whole))
+        union.SetInputData(1, polydata(*other))
         loud = vtkObject.GetGlobalWarningDisplay()
         vtkObject.GlobalWarningDisplayOff()
         union.Update()
         vtkObject.SetGlobalWarningDisplay(loud)
-        result = _merged(*_triangles_of(union.GetOutput())) if union.GetOutput().GetNumberOfPolys() else (whole[0], whole[1][:0])
+        result = _merged(*_triangles_of(union.GetOutput()))[:2] if union.GetOutput().GetNumberOfPolys() else (whole[0], whole[1][:0])
         volumes = [_volume(*p) for p in (whole, other, result)]
         if not len(result[1]) or (_edges(result[1])[2] != 2).any() or not max(volumes[:2]) < volumes[2] < sum(volumes[:2]):
-            raise SurfaceError(f"{source}: has closed parts that overlap, and they could not be united; expected one closed surface: "
-                               "unite them in the program that made the file")
+            raise SurfaceError(f"{source}: has closed parts that overlap, and they could not be united, one of them {its}; expected one "
+                               "closed surface: unite them in the program that made the file")
         whole = result
         united += 1
     if dropped:
@@ -262,15 +310,23 @@ class Surface(Shape):
         if not (np.isfinite(scale) and scale > 0):
             raise SurfaceError(f"{source}: entry 'scale' is {scale}; expected metres per unit of the file, above 0")
 
-        points, triangles = _merged(*_read(self.file))
+        points, triangles, number = _merged(*read_triangles(self.file))
         if not len(triangles):
-            raise SurfaceError(f"{source}: all its triangles are points or lines; expected the surface of a body")
+            raise SurfaceError(f"{source}: all its triangles are points or lines, or lie on each other in pairs; expected the surface of "
+                               "a body")
         _checked_closed(points, triangles, source)
         triangles, part, turned = _oriented(points, triangles)
-        if turned:
-            self.notes.append(f"{turned} of {len(triangles)} triangles turned: they were wound inwards")
+        if len(turned):
+            self.notes.append(f"{len(turned)} of {len(triangles)} triangles turned: they were wound inwards, {_runs(number[turned])}")
+        for name in range(part.max() + 1):
+            own = np.flatnonzero(part == name)
+            crossing = own[_crossing(points, triangles[own])]
+            if len(crossing):
+                place = " ".join(f"{x:.4g}" for x in points[triangles[crossing[0]]].mean(axis=0))
+                raise SurfaceError(f"{source}: passes through itself: {len(crossing)} of its {len(triangles)} triangles do, "
+                                   f"{_runs(number[crossing])}, the first at ({place}) in the file's units; expected one closed surface")
         if part.max() > 0:
-            points, triangles = _united(points, triangles, part, source, self.notes)
+            points, triangles = _united(points, triangles, part, number, source, self.notes)
         points = points * scale
 
         size = np.ptp(points, axis=0).max()

@@ -5,11 +5,11 @@ import math
 import re
 import shutil
 from pathlib import Path
-from typing import Tuple
+from typing import Mapping, Tuple
 
 import numpy as np
 
-from plunge.studies.particleRuns import call
+from plunge.studies.particleRuns import call, override
 from plunge.studies.scenes import once
 from plunge.studies.study import STUDIES
 
@@ -50,8 +50,8 @@ def blocks(a: float, b: float, around: int, across: int) -> str:
             f"sides {{ type empty; faces ({sides}); }} );\n")
 
 
-def solve(run: Path, solver: str, axes: Tuple[float, float], cells: Tuple[int, int], **entries: object) -> None:
-    """Runs it to its end, or until it diverges."""
+def solve(run: Path, solver: str, axes: Tuple[float, float], cells: Tuple[int, int], changes: Mapping[str, str] = {}, **entries: object) -> None:
+    """Runs it to its end, or until it diverges. changes: text that takes the place of entries, by file."""
     def make() -> None:
         shutil.copytree(CASE, run)
         shutil.copytree(run / "0.orig", run / "0")
@@ -61,15 +61,18 @@ def solve(run: Path, solver: str, axes: Tuple[float, float], cells: Tuple[int, i
         if entries["velocity"] != "(0 0 0)" and solver == "plungeFoam":
             (run / "constant/sceneProperties").write_text(
                 "FoamFile { version 2.0; format ascii; class dictionary; object sceneProperties; }\ninitialFlow potential;\n")
+        for file, text in changes.items():
+            override(run, file, text)
         call(run, "blockMesh")
 
     once(run, make)
     call(run, solver, check=False)
 
 
-def release(run: Path, solver: str, ratio: float, cells: Tuple[int, int] = CELLS, end: float = RELEASE_END) -> None:
+def release(run: Path, solver: str, ratio: float, cells: Tuple[int, int] = CELLS, end: float = RELEASE_END,
+            changes: Mapping[str, str] = {}) -> None:
     """The circle, at a ratio of its density to the fluid's."""
-    solve(run, solver, (RADIUS, RADIUS), cells, mass=ratio*math.pi*RADIUS**2, momentOfInertia="(1 1 1)", velocity="(0 0 0)",
+    solve(run, solver, (RADIUS, RADIUS), cells, changes, mass=ratio*math.pi*RADIUS**2, momentOfInertia="(1 1 1)", velocity="(0 0 0)",
           angularMomentum="(0 0 0)", gravity="(0 -1 0)", end=end)
 
 
