@@ -23,7 +23,10 @@ Foam::scalar Foam::freeSurfaceFlow::smallLoad() const
 Foam::scalar Foam::freeSurfaceFlow::diffusionNumber() const
 {
     const scalar heavier = max(mixture_.rho1().value(), mixture_.rho2().value());
-    return guard_->diffusionNumber(mixture_.nu()().primitiveField()*rho_.primitiveField()/heavier);
+
+    // The liquid may come to the finest cells, wherever it is now
+    const scalar nu = gMax(mixture_.nu()().primitiveField()*rho_.primitiveField())/heavier;
+    return guard_->diffusionNumber(scalarField(mesh_.nCells(), nu));
 }
 
 
