@@ -54,7 +54,7 @@ study = Study(
     title="plungeSPH is fast: beside PySPH, on two threads, and beside what the processor could do", alone=True,
     runs=[*(Run("kleefsman", "particles", variant, f"{SPACING} m", cores=1 + ("2 threads" in variant)) for variant in TIMED),
           Run("kleefsman", "particles", LOOPS, f"{SPACING} m", needs=FLOAT), Run("kleefsman", "particles", PYSPH, f"{SPACING} m", needs=LOOPS),
-          Run("kleefsman", "particles", FLOAT, "0.044 m", ("quick",))],
+          Run("kleefsman", "particles", FLOAT, "0.028 m", ("quick",))],
     solve=solve, sources=("src/smoothedParticles", "applications/solvers/plungeSPH"),
     quantities=[
         Quantity("particles of the fluid", "1", of(lambda done: float(np.sum(start(done.path)["wall"] < 0)), FLOAT)),
