@@ -2,6 +2,7 @@
 """The shape `surface`: reading, cleaning, refusals, axes, and what it says of bodies whose properties are known."""
 from __future__ import annotations
 
+import time
 from pathlib import Path
 
 import numpy as np
@@ -134,10 +135,15 @@ def test_a_surface_that_passes_through_itself_is_refused_with_its_triangles(tmp_
 
 
 def test_parts_that_lie_on_each_other_are_refused(tmp_path):
-    same, beside = box([0, 0, 0], [1, 1, 1]), box([0.5, 0, 0], [1.5, 1, 1])
-    for other, message in ((same, "lie on each other in pairs"), (beside, "the triangles 12-23")):
-        with pytest.raises(SurfaceError, match=message):
-            Surface(stl(tmp_path, *joined(same, other)))
+    one = box([0, 0, 0], [1, 1, 1])
+    with pytest.raises(SurfaceError, match="lie on each other in pairs"):
+        Surface(stl(tmp_path, *joined(one, one)))
+
+
+def test_parts_whose_faces_lie_in_each_other_are_united(tmp_path):
+    shape = Surface(stl(tmp_path, *joined(box([0, 0, 0], [1, 1, 1]), box([0.5, 0, 0], [1.5, 1, 1]))))
+    assert shape.notes[0] == "2 closed parts that overlap united"
+    assert shape.volume == pytest.approx(1.5, rel=1e-4)
 
 
 @pytest.mark.parametrize("header", [b"solid body", b"solid body\n facet normal 1 0 0\n"])
@@ -203,16 +209,40 @@ def test_cavity_is_dropped(tmp_path):
     assert "1 closed part(s) inside the body dropped" in shape.notes[0]
 
 
-def test_parts_that_overlap_are_united_or_refused(tmp_path):
-    path = stl(tmp_path, *joined(ellipsoid(2, 0.5, 0.5, 24), box([-0.31, 0.1, -0.043], [0.31, 1.5, 0.047])))
-    try:
-        shape = Surface(path)
-    except SurfaceError as error:
-        assert "overlap, and they could not be united" in str(error)
-        return
+def test_parts_that_overlap_are_united(tmp_path):
+    shape = Surface(stl(tmp_path, *joined(ellipsoid(2, 0.5, 0.5, 24), box([-0.31, 0.1, -0.043], [0.31, 1.5, 0.047]))))
     assert shape.notes[0] == "2 closed parts that overlap united"
     sphere = Surface(stl(tmp_path, *ellipsoid(2, 0.5, 0.5, 24))).volume
     assert sphere + 0.62 * 0.09 * 1.0 < shape.volume < sphere + 0.62 * 0.09 * 1.4
+
+
+def fin(top: float) -> tuple[np.ndarray, np.ndarray]:
+    """Points and outward triangles of a fin of 24 sides, with its leading edge in the plane of symmetry."""
+    angle = np.linspace(0, 2 * np.pi, 24, endpoint=False)
+    rim = np.column_stack((-0.3 * np.cos(angle), -0.06 * np.sin(angle)))
+    a, cap = np.arange(24), np.column_stack((np.zeros(22, int), np.arange(1, 23), np.arange(2, 24)))
+    b = np.roll(a, -1)
+    points = np.vstack([np.column_stack((rim, np.full(24, z))) for z in (0.1, top)])
+    return points, np.vstack((np.column_stack((a, b, b + 24)), np.column_stack((a, b + 24, a + 24)), cap[:, ::-1], cap + 24))
+
+
+def test_a_fin_in_the_plane_of_symmetry_is_united(tmp_path):
+    """Its edge meets one of the hull's exactly."""
+    hull = ellipsoid(2, 0.5, 0.5, 32)
+    shape = Surface(stl(tmp_path, *joined(hull, fin(1.0))))
+    assert "2 closed parts that overlap united" in shape.notes
+    outside = 12 * np.sin(2 * np.pi / 24) * 0.3 * 0.06 * (1.0 - 0.495)  # above the hull
+    assert shape.volume == pytest.approx(Surface(stl(tmp_path, *hull)).volume + outside, rel=1e-3)
+    assert shape.isSymmetric
+    assert any(note.startswith("dorsal: found as (0 0 1)") for note in shape.notes)
+
+
+def test_parts_whose_union_does_not_end_are_refused(tmp_path, monkeypatch):
+    monkeypatch.setattr("plunge.shapes.surface._MOVED", (0.0,))
+    monkeypatch.setattr("plunge.shapes.surface._UNITING", 0.0)
+    monkeypatch.setattr("plunge.shapes.surface._unite", lambda *_: time.sleep(60))
+    with pytest.raises(SurfaceError, match="overlap, and they could not be united, one of them.*expected one closed surface"):
+        Surface(stl(tmp_path, *joined(ellipsoid(2, 0.5, 0.5, 32), fin(1.0))))
 
 
 @pytest.mark.parametrize("content, name, message", [

@@ -106,7 +106,7 @@ def mesh(scene: Scene, method: str, modelled: str, asked: str) -> Decision:
         return Decision(asked, "as asked")
     if scene.freedom == "fixed":
         return Decision("single", "the body does not move")
-    return Decision("overset", "the body moves through the surface")
+    return Decision("overset", "the body moves through the background")
 
 
 def boundary_layer(scene: Scene, method: str, asked: str, first_layer: float, affordable: bool) -> Decision:

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import multiprocessing
 from functools import cached_property
 from pathlib import Path
 from typing import Any, Sequence
@@ -21,6 +22,10 @@ _READERS = {".stl": "vtkSTLReader", ".obj": "vtkOBJReader"}
 _MERGED = 1e-6
 # Triangles pass through each other where the ends of an edge are farther than this share of the diagonal from a plane that it crosses
 _CROSSED = 1e-5
+# By this share of the diagonal one of two parts is moved before they are united, more at each try: of bodies that are drawn with a plane of
+# symmetry, edges meet edges exactly, where VTK's filter does not end.
+_MOVED = (1e-6, 3e-6, 1e-5)
+_UNITING = 30.0     # [s], and as many ms as there are triangles: longer no try takes
 # Runs of triangles that a message names
 _NAMED = 8
 # Diameter of a body of revolution over that of the cylinder of its volume and length: a spheroid has 1.22, NACA-0010 1.35
@@ -217,17 +222,59 @@ def _oriented(points: np.ndarray, triangles: np.ndarray) -> tuple[np.ndarray, np
     return turned, part, np.flatnonzero(np.einsum("ij,ij->i", *normals) < 0)
 
 
-def _united(points: np.ndarray, triangles: np.ndarray, part: np.ndarray, number: np.ndarray, source: str,
-            notes: list[str]) -> tuple[np.ndarray, np.ndarray]:
-    """The one outer surface of all parts: what lies inside another part is dropped, parts that overlap are united."""
+def _unite(one: tuple[np.ndarray, np.ndarray], other: tuple[np.ndarray, np.ndarray], found: Any) -> None:
+    """Sends the union of two closed surfaces to a connection, by a filter of VTK that may not end."""
     from vtkmodules.vtkCommonCore import vtkObject
     from vtkmodules.vtkFiltersGeneral import vtkLoopBooleanPolyDataFilter
 
+    vtkObject.GlobalWarningDisplayOff()
+    union = vtkLoopBooleanPolyDataFilter()
+    union.SetOperationToUnion()
+    union.SetInputData(0, polydata(*one))
+    union.SetInputData(1, polydata(*other))
+    union.Update()
+    found.send(_triangles_of(union.GetOutput()))
+
+
+def _union(one: tuple[np.ndarray, np.ndarray], other: tuple[np.ndarray, np.ndarray]) -> tuple[np.ndarray, np.ndarray] | None:
+    """Points and triangles of the union of two closed surfaces that overlap, if there is one without triangles that pass through each other;
+    None where none can be had."""
+    size = np.linalg.norm(np.ptp(np.vstack((one[0], other[0])), axis=0))
+    volumes = [_volume(*part) for part in (one, other)]
+    fork, folded = multiprocessing.get_context("fork"), None
+    for share in _MOVED:
+        # Turned a little and moved, off all axes
+        turned = other[0] + share * np.cross([0.31, -0.83, 0.47], other[0] - other[0].mean(axis=0))
+        receive, send = fork.Pipe(duplex=False)
+        child = fork.Process(target=_unite, args=(one, (turned + share * size * np.array([0.59, 0.37, -0.72]), other[1]), send), daemon=True)
+        child.start()
+        send.close()
+        try:
+            result = receive.recv() if receive.poll(_UNITING + 1e-3 * (len(one[1]) + len(other[1]))) else None
+        except EOFError:
+            result = None
+        child.kill()
+        child.join()
+        if result is None or not len(result[1]):
+            continue
+        result = _merged(*result)[:2]
+        if (_edges(result[1])[2] != 2).any() or not max(volumes) < _volume(*result) < sum(volumes):
+            continue
+        if not len(_crossing(*result)):
+            return result
+        folded = folded or result
+    return folded
+
+
+def _united(points: np.ndarray, triangles: np.ndarray, part: np.ndarray, number: np.ndarray, source: str,
+            notes: list[str]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """The one outer surface of all parts: what lies inside another part is dropped, parts that overlap are united. And the triangles that
+    have part in it, as they were."""
     parts = [_merged(points, triangles[part == name])[:2] for name in range(part.max() + 1)]
     bySize = sorted(range(len(parts)), key=lambda k: -_volume(*parts[k]))
     named = [_runs(number[part == k]) for k in bySize]
-    parts = [parts[k] for k in bySize]
-    whole, _ = parts.pop(0), named.pop(0)
+    parts, names = [parts[k] for k in bySize], list(bySize)
+    whole, _, used = parts.pop(0), named.pop(0), [names.pop(0)]
     dropped = united = 0
     while parts:
         inside = [_distance(*whole, p[0]) < 0 for p in parts]
@@ -237,30 +284,22 @@ def _united(points: np.ndarray, triangles: np.ndarray, part: np.ndarray, number:
         if not met:
             raise SurfaceError(f"{source}: has {len(parts) + 1} closed parts that do not touch, or in their faces only; expected one body: "
                                f"unite them in the program that made the file. The smallest one has {named[-1]}")
-        other, within, its = parts.pop(met[0]), inside[met[0]], named.pop(met[0])
+        other, within, its, name = parts.pop(met[0]), inside[met[0]], named.pop(met[0]), names.pop(met[0])
         if within.all():
             dropped += 1
             continue
-        union = vtkLoopBooleanPolyDataFilter()
-        union.SetOperationToUnion()
-        union.SetInputData(0, polydata(*whole))
-        union.SetInputData(1, polydata(*other))
-        loud = vtkObject.GetGlobalWarningDisplay()
-        vtkObject.GlobalWarningDisplayOff()
-        union.Update()
-        vtkObject.SetGlobalWarningDisplay(loud)
-        result = _merged(*_triangles_of(union.GetOutput()))[:2] if union.GetOutput().GetNumberOfPolys() else (whole[0], whole[1][:0])
-        volumes = [_volume(*p) for p in (whole, other, result)]
-        if not len(result[1]) or (_edges(result[1])[2] != 2).any() or not max(volumes[:2]) < volumes[2] < sum(volumes[:2]):
+        result = _union(whole, other)
+        if result is None:
             raise SurfaceError(f"{source}: has closed parts that overlap, and they could not be united, one of them {its}; expected one "
                                "closed surface: unite them in the program that made the file")
         whole = result
+        used.append(name)
         united += 1
     if dropped:
         notes.append(f"{dropped} closed part(s) inside the body dropped: it is solid")
     if united:
         notes.append(f"{united + 1} closed parts that overlap united")
-    return whole
+    return *whole, triangles[np.isin(part, used)]
 
 
 def _moments(points: np.ndarray, triangles: np.ndarray) -> tuple[float, np.ndarray, np.ndarray]:
@@ -325,8 +364,10 @@ class Surface(Shape):
                 place = " ".join(f"{x:.4g}" for x in points[triangles[crossing[0]]].mean(axis=0))
                 raise SurfaceError(f"{source}: passes through itself: {len(crossing)} of its {len(triangles)} triangles do, "
                                    f"{_runs(number[crossing])}, the first at ({place}) in the file's units; expected one closed surface")
+        drawn = points, triangles
         if part.max() > 0:
-            points, triangles = _united(points, triangles, part, number, source, self.notes)
+            points, triangles, parts = _united(points, triangles, part, number, source, self.notes)
+            drawn = drawn[0], parts
         points = points * scale
 
         size = np.ptp(points, axis=0).max()
@@ -338,7 +379,8 @@ class Surface(Shape):
             raise SurfaceError(f"{source}: encloses no volume; expected the surface of a body")
 
         forward = self._forward(points, triangles, centroid, second) if nose is None else _unit(nose, "nose", source)
-        up = self._dorsal(points, triangles, centroid, second, forward, size) if dorsal is None else _unit(dorsal, "dorsal", source)
+        drawn = drawn[0] * scale - centroid, drawn[1]
+        up = self._dorsal(points - centroid, drawn, second, forward, size) if dorsal is None else _unit(dorsal, "dorsal", source)
         up = up - forward * (up @ forward)
         if np.linalg.norm(up) < 1e-3:
             raise SurfaceError(f"{source}: entry 'dorsal' is {dorsal}; expected a direction across the nose's, {_word(forward)}")
@@ -350,6 +392,7 @@ class Surface(Shape):
         self._points = (points - centroid) @ axes.T
         ahead = self._points[:, 0].min()
         self._points[:, 0] -= ahead
+        self._asymmetry = _asymmetry(*drawn, axes[1])
         self.centroid = np.array([-ahead, 0.0, 0.0])
         self._second = axes @ second @ axes.T
         self.length = float(self._points[:, 0].max())
@@ -401,10 +444,10 @@ class Surface(Shape):
         mean = np.where(~below, 0, np.where(~above, f.sum(axis=0) / 3, np.where(f[1] >= 0, one, two)))
         return float(projected @ mean)
 
-    def _dorsal(self, points: np.ndarray, triangles: np.ndarray, centroid: np.ndarray, second: np.ndarray,
-                forward: np.ndarray, size: float) -> np.ndarray:
+    def _dorsal(self, points: np.ndarray, drawn: tuple[np.ndarray, np.ndarray], second: np.ndarray, forward: np.ndarray,
+                size: float) -> np.ndarray:
         """The direction across the nose's in which a body has its back: in its plane of symmetry, across its span, to where it
-        reaches farther (a fin)."""
+        reaches farther (a fin). Points are from its centroid on."""
         def across(direction: np.ndarray) -> np.ndarray:
             direction = direction - forward * (direction @ forward)
             return direction / np.linalg.norm(direction)
@@ -414,18 +457,17 @@ class Surface(Shape):
         frame = np.stack((first, np.cross(forward, first)))
         principal = np.linalg.eigh(frame @ second @ frame.T)[1].T @ frame
         candidates = [*axes, *principal]
-        relative = points - centroid
-        symmetric = [side for side in candidates if _asymmetry(relative, triangles, side) < _ASYMMETRY * size]
+        symmetric = [side for side in candidates if _asymmetry(*drawn, side) < _ASYMMETRY * size]
         how = "by symmetry"
         if not symmetric:
             side = min(axes, key=lambda axis: abs(axis[2]))
             how = "as the file's axis, the body has no plane of symmetry"
         else:
-            spans = [np.ptp(relative @ side) for side in symmetric]
+            spans = [np.ptp(points @ side) for side in symmetric]
             # Of equal spans the one that leaves the file's z dorsal
             side = min((s for s, span in zip(symmetric, spans) if span > 0.999 * max(spans)), key=lambda s: abs(s[2]))
         up = np.cross(forward, side)
-        z = relative @ up
+        z = points @ up
         if abs(z.max() + z.min()) > 0.01 * np.ptp(z):
             up = up * np.sign(z.max() + z.min())
         else:
@@ -472,10 +514,10 @@ class Surface(Shape):
         """Inertia tensor about the centroid at unit density, in the axes aft, y, dorsal [m5]."""
         return np.trace(self._second) * np.eye(3) - self._second
 
-    @cached_property
+    @property
     def isSymmetric(self) -> bool:
-        """About y = 0, to 0.2 % of the length."""
-        return _asymmetry(self._points - self.centroid, self._triangles, np.array([0.0, 1.0, 0.0])) < _ASYMMETRY * self.length
+        """About y = 0, to 0.2 % of the length: as it was drawn, for the filter that unites parts leaves small folds."""
+        return self._asymmetry < _ASYMMETRY * self.length
 
     @cached_property
     def nose_radius(self) -> float:
@@ -498,6 +540,8 @@ class Surface(Shape):
 
 def _asymmetry(points: np.ndarray, triangles: np.ndarray, side: np.ndarray) -> float:
     """Farthest that the surface's mirror image in the plane through the origin with normal `side` lies from it [m]."""
+    triangles, used = np.unique(triangles, return_inverse=True)
+    points, triangles = points[triangles], used.reshape(-1, 3)
     probes = np.vstack((points, points[triangles].mean(axis=1)))
     probes = probes[:: max(1, len(probes) // _PROBES)]
     return float(np.abs(_distance(points, triangles, probes - 2 * np.outer(probes @ side, side))).max())
