@@ -274,6 +274,17 @@ def test_pressureThatIsNotSolved(cases: Dict[str, Path]) -> None:
     assert log.count("    Note: p_rgh was not solved: its solver DICPCG stopped after 2 iterations") == 1 and log.rstrip().endswith("End")
 
 
+def test_aLiquidWithoutASurfaceIsSolved(tmp_path: Path) -> None:
+    """A sphere that is released far below: its mesh holds nothing but liquid, whose uniform volume fraction has no residual."""
+    (tmp_path / "deep").write_text("body { shape { type sphere; radius 0.05; } density 500; freedom axial; } fluids water; "
+                                   "entry { speed 0; depth 1; } duration 0.002; frames 1;\n")
+    run = tmp_path / "run"
+    foam("plungeCase", "deep", "-np", 1, "-run", run, case=tmp_path)
+    foam("./Allrun", "-setUp", case=run)
+    log = foam("plungeFoam", case=run, log="log.plungeFoam")
+    assert "was not solved" not in log and "mesh motion on" in log
+
+
 CIRCLE = """body { shape { type circle; radius 0.05; } density 500; freedom planar; }
 fluids { liquid water; gas earthAir; liquidViscosity 100; gasViscosity 1.8; }
 entry { speed 3; angle 90; } duration 0.02; frames 1;

@@ -60,7 +60,7 @@ def test_processorsAgree(tmp_path: Path, coarse: Path) -> None:
 def test_slipHasNone(tmp_path: Path) -> None:
     run = plate(tmp_path / "none", boundaryLayer="none")
     assert abs(friction.coefficient(run)) < 1e-6
-    assert "There is no boundary layer: the friction of a flat plate of its wetted area" in (run / "log.solver").read_text()
+    assert "There is no boundary layer: the friction of a flat plate as large as the walls" in (run / "log.solver").read_text()
 
 
 @pytest.mark.parametrize("reynolds, transition", [(1e5, 0), (1e5, 5e5), (1e4, 5e5)])

@@ -382,6 +382,18 @@ def test_the_title_says_which_body_and_how_it_moves(tmp_path, changes, says):
     assert f"{tmp_path.name}, {says}" in describe(tmp_path)
 
 
+def test_a_body_from_rest_has_peaks_after_the_start_and_no_coefficient(tmp_path):
+    """The first line has the loads on a body that is held."""
+    table = constant_deceleration()
+    table["penetration_m"] += 2
+    table["Fpz_N"][:] = 4.0
+    table["Fpz_N"][0] = 5.0
+    numbers = key_numbers(table, None, extent_of(table, 1))
+    assert numbers["peak force"] == (4.0, "N") and numbers["time of peak force"][0] > 0
+    write_body_parameters(tmp_path, speed="0", referenceSpeed="1.4")
+    assert read_body(tmp_path).pressure == 0
+
+
 def test_the_body_is_that_of_the_scene(tmp_path):
     assert read_body(tmp_path) == Body("free")
     write_body_parameters(tmp_path)
@@ -914,6 +926,17 @@ def test_a_quarter_is_mirrored_the_body_is_not(tmp_path):
     assert on_body[left].mean() == pytest.approx(on_body[right].mean(), rel=0.02)
 
 
+def test_the_picture_says_what_the_band_in_the_body_is(tmp_path):
+    from plunge.figures import plt
+    from plunge.particles import Case
+    from plunge.sections import Look, sheet
+
+    dive = Case(particle_dive(tmp_path), "body")
+    figure = sheet("A dive", dive, Look.of(dive))
+    assert figure._suptitle.get_text().splitlines() == ["A dive", "liquid within a spacing of y = 0; the band inside the body is the pressure on it"]
+    plt.close(figure)
+
+
 def test_a_dive_of_particles_is_reported_without_a_mesh(tmp_path):
     import matplotlib.image
 
@@ -996,6 +1019,23 @@ def test_notes_on_the_figure_are_below_its_panels():
         assert min(panel.y0 for panel in panels) >= box.y1
         assert sum("\\pm" in text.get_text() for ax in figure.axes for text in ax.texts) == len(HEADLINES)
         plt.close(figure)
+
+
+@pytest.mark.parametrize("late", [0.0, 1.0])
+def test_the_names_of_the_forces_are_not_on_their_curves(late):
+    from plunge.figures import plt, trajectory_figure
+
+    table = constant_deceleration()
+    table["v3_m_s"], table["vz_m_s"] = 0 * table["time_s"], -table["speed_m_s"]
+    table["Fpz_N"] = np.where(table["time_s"] > 0.025, 10 * late, 10 * (1 - late))
+    table["Fgz_N"][:] = -10.0
+    figure = trajectory_figure("A dive", table, None, key_numbers(table, None, extent_of(table, 1)), {}, ["a note"], Body("axial"))
+    figure.canvas.draw()
+    forces, = (ax for ax in figure.axes if "Force against" in ax.get_title("left"))
+    names = forces.get_legend().get_window_extent(figure.canvas.get_renderer())
+    for line in forces.lines[:3]:
+        assert not names.count_contains(forces.transData.transform(line.get_xydata()))
+    plt.close(figure)
 
 
 FORCE, REST = "Force against the motion, ", {"Penetration depth"}

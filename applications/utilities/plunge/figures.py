@@ -135,7 +135,7 @@ def force_panel(axes: Axes, table: Table, body: Body, events: dict[str, float]) 
         axes.plot(1e3 * time, force, color=f"C{i}", label=label)
     limits_from_contact(axes, [(time, force, events["contact"]) for force in curves.values()])
     panel(axes, title, f"force [{body.force}]", events)
-    axes.legend(loc="center right")
+    axes.legend()
 
 
 def coefficient_panel(axes: Axes, table: Table, body: Body, events: dict[str, float]) -> None:

@@ -149,7 +149,7 @@ class Body:
     up: str = "z"               # of the tables' axes; y in the plane of particles
     width: float = 0.0          # largest, across the axis [m]
     area: float = 0.0           # frontal [m2], in the plane [m2/m]; 0: not known
-    pressure: float = 0.0       # of the stream at the start, rho U2/2 [Pa]; 0: not known
+    pressure: float = 0.0       # of the stream at the start, rho U2/2 [Pa]; 0: not known, or from rest
 
     @property
     def driven(self) -> bool:
@@ -175,7 +175,7 @@ def read_body(case: Path) -> Body:
     plane = given["model"] == "plane"
     area = width if plane else 0.0 if given["shape"] == "surface" else np.pi / 4 * width**2
     up = "y" if plane and given["application"] == "plungeSPH" else "z"
-    return Body(given["freedom"], plane, up, width, area, 0.5 * float(given["liquidDensity"]) * float(given["referenceSpeed"]) ** 2)
+    return Body(given["freedom"], plane, up, width, area, 0.5 * float(given["liquidDensity"]) * float(given["speed"]) ** 2)
 
 
 def fluid_force(trajectory: Table) -> np.ndarray:
@@ -193,8 +193,8 @@ def key_numbers(trajectory: Table, ledger: Table | None, extent: Table, body: Bo
     dry = trajectory["penetration_m"][0] < 0  # at the start
     emerged = extent["high_m"][0] > 0
     contact = crossing(time, trajectory["penetration_m"]) if dry else float("nan")
-    # A start-up transient before contact is no impact; it is reported apart.
-    wet = time >= contact if np.isfinite(contact) else np.ones_like(time, bool)
+    # A start-up transient before contact is no impact; it is reported apart. The start itself has loads, but no acceleration yet.
+    wet = time >= contact if np.isfinite(contact) else (time > time[0]) | (time.size == 1)
     slow = trajectory["deceleration_m_s2"]
     peak = int(np.argmax(np.where(wet, slow, -np.inf)))
     force = np.linalg.norm(fluid_force(trajectory), axis=0)

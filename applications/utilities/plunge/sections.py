@@ -230,11 +230,13 @@ def sheet(title: str, film: Film, look: Look) -> Figure:
     panel = ((7.4 if film.mirrored else 8.5) / columns - 0.15) * look.aspect
     figure, axes = plt.subplots(rows, columns, figsize=(10.2, 1.0 + rows * (panel + 0.35)), sharex=True, sharey=True, squeeze=False,
                                 layout="compressed")
-    figure.suptitle("\n".join([*textwrap.wrap(title, 140), *([film.plane] if film.plane else [])]), fontsize=9)
+    shown = [film.section(instant) for instant in chosen]
+    seen = [film.plane, "" if all(section.onBody is None for section in shown) else "the band inside the body is the pressure on it"]
+    figure.suptitle("\n".join([*textwrap.wrap(title, 140), *filter(None, ["; ".join(filter(None, seen))])]), fontsize=9)
     for ax in axes.flat[len(chosen):]:
         ax.set_axis_off()
-    for ax, instant in zip(axes.flat, chosen):
-        draw(ax, film, film.section(instant), look)
+    for ax, section in zip(axes.flat, shown):
+        draw(ax, film, section, look)
     for ax in axes.flat[len(chosen) - columns : len(chosen)]:  # the lowest of each column
         ax.set_xlabel(f"{film.axes[0]} [m]")
         ax.tick_params(labelbottom=True)

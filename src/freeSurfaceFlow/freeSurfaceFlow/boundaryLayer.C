@@ -320,8 +320,9 @@ void Foam::freeSurfaceFlow::reportBoundaryLayer
     const scalar plate = 0.5*rho*sqr(speed)*walls.area*law.mean(Re);
     const string friction
     (
-        "the friction of a flat plate of its wetted area, turbulent from Re_x = "
-      + name(scene_.transitionReynolds())
+        "the friction of a flat plate as large as "
+      + string(body_ ? "the body's surface, were all of it wet" : "the walls")
+      + ", turbulent from Re_x = " + name(scene_.transitionReynolds())
       + (
             body_
           ? ", would slow the body by " + name(plate/body_->mass()) + " m/s2"

@@ -17,6 +17,9 @@ using namespace Foam;
 //  OpenFOAM's default tolerance
 const scalar solvedResidual = 1e-6;
 
+//- Share by which a field varies that is uniform but for rounding
+const scalar uniformField = 1e-9;
+
 //- Residual from which on a system is not solved at all, and steps of that in
 //  a row after which a run is lost
 const scalar unsolvedResidual = 0.5;
@@ -104,7 +107,9 @@ void Foam::runGuard::checkSolvers()
     bool unsolved = false;
     for (const entry& e : mesh_.solverPerformanceDict())
     {
-        if (!mesh_.foundObject<volScalarField>(e.keyword()))
+        const volScalarField* field = mesh_.findObject<volScalarField>(e.keyword());
+        // OpenFOAM's residuals are relative to how much a field varies: of a uniform one, as in a liquid without a surface, they say nothing
+        if (!field || gMax(*field) - gMin(*field) <= uniformField*gMax(mag(field->primitiveField())))
         {
             continue;
         }

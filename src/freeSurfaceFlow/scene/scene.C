@@ -48,7 +48,7 @@ word motionOf(const fvMesh& mesh)
     {
         return "overset";
     }
-    return isA<staticFvMesh>(mesh) || !isA<dynamicFvMesh>(mesh) ? "none" : "motion";
+    return isA<staticFvMesh>(mesh) || !isA<dynamicFvMesh>(mesh) ? "off" : "on";
 }
 
 
