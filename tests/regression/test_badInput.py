@@ -274,6 +274,17 @@ def test_pressureThatIsNotSolved(cases: Dict[str, Path]) -> None:
     assert log.count("    Note: p_rgh was not solved: its solver DICPCG stopped after 2 iterations") == 1 and log.rstrip().endswith("End")
 
 
+def test_fractionsOfWarpedCellsAreCutOff(cases: Dict[str, Path]) -> None:
+    """setAlphaField leaves up to some per cent too much in them."""
+    case = copy(cases["damBreak"], "warped")
+    field = case / "0/alpha.water"
+    text = field.read_text()
+    assert "\n1\n" in text
+    field.write_text(text.replace("\n1\n", "\n1.005\n", 1))
+    log = foam("plungeFoam", case=case, log="log.solver")
+    assert "out of 0 to 1 by up to 0.005" in log and "Max(alpha.water) = 1.005" not in log
+
+
 def test_aLiquidWithoutASurfaceIsSolved(tmp_path: Path) -> None:
     """A sphere that is released far below: its mesh holds nothing but liquid, whose uniform volume fraction has no residual."""
     (tmp_path / "deep").write_text("body { shape { type sphere; radius 0.05; } density 500; freedom axial; } fluids water; "

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from plunge import boundaryLayer, case as cases, fluids as pairs, foamDictionary, meridianMesh
+from plunge import boundaryLayer, case as cases, estimate, fluids as pairs, foamDictionary, meridianMesh
 from plunge import scene as scenes
 from plunge.checks import ParameterError
 from plunge.methods import meshes, tiers
@@ -622,3 +622,21 @@ def test_roomForARise() -> None:
     flat = generated(fluids="water", entry__speed=0.0, entry__depth=0.5, body__density=300, body__shape__length=0.1, duration=0.5,
                    entry__angle=-90)
     assert flat["pathEnd"][2] > 0.05 and flat["zMax"] > flat["pathEnd"][2] + 0.03
+
+
+def test_an_estimate_probes_finer_where_the_coarse_body_is_refused(case: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """As a wing is that is thinner than coarse particles, or than coarse cells."""
+    tried = []
+
+    def probe(scene: Path, entries: dict, resolution: float, run: Path) -> tuple:
+        tried.append(resolution)
+        if resolution < 0.8:
+            raise ParameterError("too coarse")
+        return estimate.Probe(1000, 10, 1e-6, 1e-3, 1, 1), cases.derive(scene, {**entries, "resolution": resolution})
+
+    monkeypatch.setattr(estimate, "_probe", probe)
+    assert estimate.of(case, {}, cases.derive(case)).steps > 5
+    assert len(tried) > 1 and tried == sorted(tried) and tried[-1] <= 1
+    monkeypatch.setattr(estimate, "_probe", lambda *_: probe(*_[:2], 0.1, _[3]))
+    with pytest.raises(ParameterError, match="too coarse"):
+        estimate.of(case, {}, cases.derive(case))

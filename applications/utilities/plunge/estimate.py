@@ -62,7 +62,8 @@ def _run(command: Sequence[str], run: Path, log: Path, limit: float = 600.0) -> 
                 process.terminate()
             time.sleep(0.1)
     if process.returncode not in (0, -15):
-        raise ParameterError(f"the probe's {command[0]} failed:\n{log.read_text()[-1500:]}")
+        said = log.read_text(errors="replace")
+        raise ParameterError(f"the probe's {command[0]} failed:\n{said[max(said.rfind('--> FOAM'), len(said) - 1500):]}")
     return usage.ru_utime + usage.ru_stime, float(usage.ru_maxrss)
 
 
@@ -137,9 +138,17 @@ def of(scene: Path, entries: dict[str, Any], case: Case) -> Estimate:
     ratio = _PROBE_COUNT[method] / case.count
     dimensions = 2 if case.flat["model"] in ("plane", "axisymmetric") else 3
     probed = max(_COARSEST, min(0.5 * resolution, resolution * ratio ** (1 / dimensions)))
-    print(f"Probing at resolution {probed:.2g} (up to {PROBE_SECONDS:.0f} s) ...", file=sys.stderr, flush=True)
-    with tempfile.TemporaryDirectory(prefix="plungeEstimate") as folder:
-        probe, coarse = _probe(scene, entries, probed, Path(folder).resolve() / "run")
+    while True:
+        print(f"Probing at resolution {probed:.2g} (up to {PROBE_SECONDS:.0f} s) ...", file=sys.stderr, flush=True)
+        try:
+            with tempfile.TemporaryDirectory(prefix="plungeEstimate") as folder:
+                probe, coarse = _probe(scene, entries, probed, Path(folder).resolve() / "run")
+            break
+        except ParameterError:
+            if probed >= resolution:
+                raise
+            # Too coarse for thin parts of the body
+            probed = min(resolution, 2 * probed)
 
     count = case.count * probe.count / coarse.count
     steps = probe.steps * resolution / probed * _coarser(case, coarse)

@@ -17,6 +17,10 @@ namespace
 
 using namespace Foam;
 
+//- So far out of 0 to 1 by rounding a fraction stays as it is
+const scalar roundedFraction = 1e-6;
+
+
 IOobject readField(const word& name, const fvMesh& mesh)
 {
     return IOobject
@@ -194,6 +198,16 @@ Foam::freeSurfaceFlow::freeSurfaceFlow(dynamicFvMesh& mesh)
     }
     check();
 
+    volScalarField& alpha1 = mixture_.alpha1();
+    const scalar excess = max(gMax(alpha1.primitiveField()) - 1, -gMin(alpha1.primitiveField()));
+    if (excess > roundedFraction && !restart::isFrom(mesh_))
+    {
+        Info<< "Volume fractions of the liquid are out of 0 to 1 by up to " << excess << ", as warped cells make them: cut off" << nl << endl;
+        alpha1.primitiveFieldRef() = min(max(alpha1.primitiveField(), scalar(0)), scalar(1));
+        alpha1.correctBoundaryConditions();
+        mixture_.alpha2() = 1 - alpha1;
+        rho_ = alpha1*mixture_.rho1() + mixture_.alpha2()*mixture_.rho2();
+    }
     rho_.oldTime();
     mesh_.setFluxRequired(p_rgh_.name());
     setPressureReference();
