@@ -4,6 +4,7 @@
 import csv
 import json
 import os
+import re
 import subprocess
 from pathlib import Path
 
@@ -1120,3 +1121,11 @@ def test_runs_of_any_body_are_laid_over_each_other(tmp_path):
     assert rows["contact time"] == ["0.001", "0.001"]
     assert rows["velocity lost at end"][0] == "2.45" and rows["velocity lost at end"][1] == ""
     assert "sphere of 0.25 m" in rows["quantity"][0] and "prescribed" in rows["quantity"][1]
+
+    # Of a body in the plane forces are per metre
+    summary = tmp_path / "other/results/summary.csv"
+    summary.write_text(re.sub(r"(?m)^(peak force,.*),N$", r"\1,N/m", summary.read_text()))
+    subprocess.run([TOOLS / "plungeOverlay", tmp_path / "one", tmp_path / "other", "-o", figure], check=True, capture_output=True)
+    with figure.with_suffix(".csv").open() as file:
+        forces = [[unit, bool(one), bool(other)] for name, unit, one, other in csv.reader(file) if name == "peak force"]
+    assert forces == [["N", True, False], ["N/m", False, True]]
