@@ -17,8 +17,8 @@ using namespace Foam;
 //  OpenFOAM's default tolerance
 const scalar solvedResidual = 1e-6;
 
-//- Share by which a field varies that is uniform but for rounding
-const scalar uniformField = 1e-9;
+//- Share by which a field varies that is as good as uniform
+const scalar uniformField = 1e-6;
 
 //- Residual from which on a system is not solved at all, and steps of that in
 //  a row after which a run is lost
