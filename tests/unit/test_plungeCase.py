@@ -438,7 +438,7 @@ def test_decisions_are_printed_and_written(case: Path) -> None:
     done = plungeCase(case)
     given = foamDictionary.read(case / "run/titan-fast/system/plungeGenerated")
     assert done.stderr.splitlines()[-5:] == given["decisions"] == [
-        "model: half (nothing drives the body out of its plane of symmetry)", "mesh: overset (the body moves through the surface)",
+        "model: half (nothing drives the body out of its plane of symmetry)", "mesh: overset (the body moves through the background)",
         "boundary layer: frictionLine (Re = 1.64e+07, above transition at 5e+05)", "surface tension: off (We = 1.33e+07)",
         "compressibility: none (Ma = 0.0126 in the liquid, 0.128 in the gas)"]
     assert plungeCase(case, "-boundaryLayer", "none").stdout.strip() == str(case / "run/titan-fast-none")
