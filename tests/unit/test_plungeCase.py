@@ -579,6 +579,32 @@ def test_two_at_once_make_one_run_directory(case: Path) -> None:
     assert sorted(path.name for path in (case / "run/a").iterdir() if path.name.startswith(".")) == []
 
 
+def test_full_disk_and_path_with_spaces_are_told_in_one_line(tmp_path: Path) -> None:
+    (tmp_path / "a b").mkdir()
+    scene = Path(shutil.copy(CASE / "constant/scene", tmp_path / "a b/dive"))
+    run = tmp_path / "run"
+    # What follows from the path of the scene is refused, and of another one it is not in the way
+    refused = subprocess.run([TOOLS / "plungeCase", "dive"], cwd=tmp_path / "a b", capture_output=True, text=True)
+    assert refused.returncode != 0 and refused.stderr.splitlines()[-1].startswith("plungeCase: run directory '") and "without spaces" in refused.stderr
+
+    def limited(blocks: int, *command: object) -> str:
+        """The last line of a command that cannot write files that are longer, of which there must be no more from it."""
+        done = subprocess.run(["bash", "-c", f"trap '' XFSZ; ulimit -f {blocks}; exec \"$@\"", "-", *map(str, command)], cwd=run if run.exists() else tmp_path,
+                              capture_output=True, text=True)
+        assert done.returncode == 1 and "Traceback" not in done.stderr, done.stderr
+        return done.stderr.splitlines()[-1]
+
+    last = limited(1, TOOLS / "plungeCase", scene, "-run", run)
+    assert last.startswith(f"plungeCase: {run}/") and "File too large" in last and last.endswith("on a disk with room")
+    made = subprocess.run([TOOLS / "plungeCase", "dive", "-run", run], cwd=tmp_path / "a b", capture_output=True, text=True)
+    assert made.stdout.strip() == str(run), made.stderr
+    assert limited(20, TOOLS / "plungeBodyMesh") == "plungeBodyMesh: body.msh could not be written whole; expected a disk with room"
+    assert "File too large" in limited(20, TOOLS / "plungeBodySurface")
+    moved = Path(shutil.copytree(run, tmp_path / "a b/moved"))
+    refused = subprocess.run([moved / "Allrun"], capture_output=True, text=True)
+    assert refused.returncode == 1 and f"Allrun: {moved}: expected a path without spaces" in refused.stderr
+
+
 def test_run_directory_is_kept_for_the_same_dive_and_refused_for_another(case: Path) -> None:
     first = plungeCase(case, "-run", "run/a")
     assert first.stdout.strip() == str(case / "run/a")

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import shutil
 from typing import Any, Callable, Collection
 
 from plunge import foamDictionary
@@ -10,6 +11,15 @@ from plunge import foamDictionary
 
 class ParameterError(Exception):
     """A value that cannot be used; the message names file, entry and what is expected."""
+
+
+def unwritten(error: OSError) -> str:
+    """What could not be read or written, why, and what was expected."""
+    if isinstance(error, shutil.Error) and isinstance(error.args[0], list):    # of all files of a directory
+        _, target, why = error.args[0][0]
+    else:
+        target, why = error.filename, error.strerror or str(error)
+    return f"{f'{target}: ' if target else ''}{why}; expected a directory that can be written, on a disk with room"
 
 
 # Sizes of numbers that are not 0, beyond which products of them leave what a computer can hold
