@@ -606,7 +606,9 @@ TEST(freeBody, constraintsThatAnIntegratorCannotHoldAreRefused)
         {
             expectRefused(properties + solver + constraints + "}", {start, "products of inertia", "addedMass"});
         }
-        for (const std::string& constraints : {hinge + upright, along + upright, upright})
+        // Along the axis that it turns about, as the tutorial floatingObject, a body slides without a coupling
+        const std::string beside("beside { sixDoFRigidBodyMotionConstraint line; direction (0 0 1); centreOfRotation (0 2 3); }");
+        for (const std::string& constraints : {hinge + upright, along + upright, beside + upright, upright})
         {
             Body("(1 2 3)", solver + constraints + "}");
         }

@@ -125,9 +125,15 @@ void checkCouplings(const dictionary& coefficients, const allConstraints& constr
     const vector axis(constraints.rotation.second());
     const bool aboutAxis = constraints.turnAboutAxis();
     const vector arm(constraints.centres.empty() ? vector(Zero) : constraints.centreOfMass - constraints.centres.back().centre);
-    const vector across(aboutAxis ? arm ^ (constraints.orientation & axis) : arm);
-    const bool slides =
-        constraints.translation.first() < 3 && mag(across) > 1e-6*(mag(constraints.centreOfMass) + mag(arm));
+    // Does a turn move the centre of mass in a direction in which the body slides?
+    const tensor free(constraints.translation.constraintTransformation());
+    const scalar near = 1e-6*(mag(constraints.centreOfMass) + mag(arm));
+    bool slides = false;
+    for (const vector& turn : {vector(1, 0, 0), vector(0, 1, 0), vector(0, 0, 1)})
+    {
+        const vector about(aboutAxis ? constraints.orientation & axis : turn);
+        slides = slides || mag(free & (about ^ arm)) > near;
+    }
 
     // As OpenFOAM has it, and as it is
     const diagTensor own(coefficients.get<diagTensor>("momentOfInertia"));
