@@ -119,6 +119,18 @@ def test_thinOverlap(tmp_path: Path) -> None:
     assert np.linalg.norm(compare.readCells(case / "0.02/U"), axis=1).max() < 0.2
 
 
+@pytest.mark.parametrize("method, reach, cells", [("rigidZones", 0.2, 2), ("rigidZones", 0.25, 3), ("rigidZones", 0.3, 0),
+                                                  ("inverseDistance; searchBox (-1 -1 -1)(1 1 1); searchBoxDivisions (20 1 20)", 0.3, 4),
+                                                  ("inverseDistance; searchBox (-1 -1 -1)(1 1 1); searchBoxDivisions (20 1 20)", 0.35, 0)])
+def test_cellsOfTheBackgroundAboutABody(method: str, reach: float, cells: int, tmp_path: Path) -> None:
+    """With three cells of rigidZones a sinking box had half of its acceleration, with four of inverseDistance the tank diverged: it is told."""
+    case = oversetCase.write(tmp_path / "case", sides="closed", mass=60, velocity=(0, -0.5), spacing=0.05, bodySpacing=0.05, reach=reach, deltaT=0.004,
+                             endTime=0.004, pimple="pRefPoint (-0.73 0.001 0.41); pRefValue 0;", method=method)
+    log = solveTo(case)
+    note = re.findall(r"^Note: Between the body of overset zone 1 and the outer boundary of its mesh there are (\S+) cells", log, re.M)
+    assert [float(count) for count in note] == ([pytest.approx(cells)] if cells else [])
+
+
 def decomposed(case: Path, n: Tuple[int, int, int], target: Path) -> Path:
     """A copy of the case that has been run on so many processes in x, y and z."""
     foam("cp", "-r", case, target, case=case)

@@ -202,6 +202,9 @@ def test_surface_lies_where_the_dive_starts(case: Path) -> None:
     (["-set", "entry.speed=inf"], "entry 'entry.speed' is inf; expected a number, 0 or above"),
     (["-set", "entry.speed=nan"], "entry 'entry.speed' is nan; expected a number, 0 or above"),
     (["-set", "entry.speed=1_0"], "entry 'entry.speed' is 1_0; expected a number, 0 or above"),
+    (["-set", "entry.speed=1e300"], "entry 'entry.speed' is 1e+300; expected a number, 0 or above, of a size from 1e-20 to 1e+20"),
+    (["-set", "travel=1e300"], "entry 'travel' is 1e+300; expected a number above 0, of a size from 1e-20 to 1e+20"),
+    (["-set", "body.shape.length=1e-300"], "entry 'length' is 1e-300; expected a number above 0, of a size from 1e-20 to 1e+20"),
     (["-set", "entry.spin=(0 inf 0)"], "entry 'entry.spin' is (0 inf 0); expected three numbers"),
     (["-set", "entry.speed=10; until immersed"], "entry 'entry.speed' is"),
     (["-set", "travel=1e9", "-mesh", "single"], "time steps; expected 1e+08 at most"),
@@ -574,6 +577,32 @@ def test_two_at_once_make_one_run_directory(case: Path) -> None:
     assert [process.returncode for process in both] == [0, 0], said
     assert {out.strip() for out, _ in said} == {str(case / "run/a")}
     assert sorted(path.name for path in (case / "run/a").iterdir() if path.name.startswith(".")) == []
+
+
+def test_full_disk_and_path_with_spaces_are_told_in_one_line(tmp_path: Path) -> None:
+    (tmp_path / "a b").mkdir()
+    scene = Path(shutil.copy(CASE / "constant/scene", tmp_path / "a b/dive"))
+    run = tmp_path / "run"
+    # What follows from the path of the scene is refused, and of another one it is not in the way
+    refused = subprocess.run([TOOLS / "plungeCase", "dive"], cwd=tmp_path / "a b", capture_output=True, text=True)
+    assert refused.returncode != 0 and refused.stderr.splitlines()[-1].startswith("plungeCase: run directory '") and "without spaces" in refused.stderr
+
+    def limited(blocks: int, *command: object) -> str:
+        """The last line of a command that cannot write files that are longer, of which there must be no more from it."""
+        done = subprocess.run(["bash", "-c", f"trap '' XFSZ; ulimit -f {blocks}; exec \"$@\"", "-", *map(str, command)], cwd=run if run.exists() else tmp_path,
+                              capture_output=True, text=True)
+        assert done.returncode == 1 and "Traceback" not in done.stderr, done.stderr
+        return done.stderr.splitlines()[-1]
+
+    last = limited(1, TOOLS / "plungeCase", scene, "-run", run)
+    assert last.startswith(f"plungeCase: {run}/") and "File too large" in last and last.endswith("on a disk with room")
+    made = subprocess.run([TOOLS / "plungeCase", "dive", "-run", run], cwd=tmp_path / "a b", capture_output=True, text=True)
+    assert made.stdout.strip() == str(run), made.stderr
+    assert limited(20, TOOLS / "plungeBodyMesh") == "plungeBodyMesh: body.msh could not be written whole; expected a disk with room"
+    assert "File too large" in limited(20, TOOLS / "plungeBodySurface")
+    moved = Path(shutil.copytree(run, tmp_path / "a b/moved"))
+    refused = subprocess.run([moved / "Allrun"], capture_output=True, text=True)
+    assert refused.returncode == 1 and f"Allrun: {moved}: expected a path without spaces" in refused.stderr
 
 
 def test_run_directory_is_kept_for_the_same_dive_and_refused_for_another(case: Path) -> None:

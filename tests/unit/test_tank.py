@@ -42,6 +42,7 @@ MISTAKES = {
     "size of one number": ("damBreak", ("-set", "tank.size=(1)"), ("size", "(x y z)")),
     "size below zero": ("damBreak", ("-set", "tank.size=(1 1 -1)"), ("size", "above 0")),
     "unknown face": ("damBreak", ("-set", "tank.open=(roof)"), ("open", "roof", "top")),
+    "list in the list of faces": ("damBreak", ("-set", "tank.open=((top))"), ("open", "((top))", "a list of faces")),
     "face that the plane does not have": ("stillTank", ("-set", "tank.open=(front top)"), ("tank.open", "front")),
     "unknown walls": ("damBreak", ("-set", "tank.walls=rough"), ("walls", "rough", "noSlip slip")),
     "no time": ("damBreak", ("-set", "duration=0"), ("duration", "above 0")),

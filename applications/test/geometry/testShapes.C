@@ -130,6 +130,14 @@ TEST_F(shapes, aRectangleIsTheCutOfABox)
     }
     expectAlike(*box, *cut, points, 1e-5);
 
+    // In the plane to the last digit, off which nothing is inside
+    for (const point& p : points)
+    {
+        const shape::foot foot(cut->findNearest(p, GREAT));
+        EXPECT_EQ(foot.x.z(), 0);
+        EXPECT_EQ(foot.normal.z(), 0);
+    }
+
     // Each side of the box is two triangles
     EXPECT_NEAR(cut->largestFacet(), 14.0/11, 1e-5);
 

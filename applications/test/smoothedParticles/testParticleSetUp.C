@@ -588,6 +588,24 @@ TEST_F(surfaceFile, thatIsNotThereIsRefused)
 }
 
 
+TEST_F(surfaceFile, tooSmallForAnyParticleIsRefused)
+{
+    write(corners(0.02), octahedron);
+    expectRefusal({"Wall body has no particles", "a larger wall"}, [&]{ body(); });
+    expectRefusal
+    (
+        {"Wall body has no particles"},
+        [&]
+        {
+            particles<2>
+            (
+                "fluid ({ type box; min (2 2 0); max (3 3 0); }); walls ({ name body; type surface; file \"constant/body.stl\"; });", directory
+            );
+        }
+    );
+}
+
+
 TEST(particleSetUp, refusals)
 {
     const std::string fluid = std::string("fluid ({") + box3D + "});";

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from math import isfinite
+import shutil
 from typing import Any, Callable, Collection
 
 from plunge import foamDictionary
@@ -13,11 +13,32 @@ class ParameterError(Exception):
     """A value that cannot be used; the message names file, entry and what is expected."""
 
 
+def unwritten(error: OSError) -> str:
+    """What could not be read or written, why, and what was expected."""
+    if isinstance(error, shutil.Error) and isinstance(error.args[0], list):    # of all files of a directory
+        _, target, why = error.args[0][0]
+    else:
+        target, why = error.filename, error.strerror or str(error)
+    return f"{f'{target}: ' if target else ''}{why}; expected a directory that can be written, on a disk with room"
+
+
+# Sizes of numbers that are not 0, beyond which products of them leave what a computer can hold
+_SIZES = 1e-20, 1e20
+
 Check = "tuple[str, Callable[[Any], bool]]"  # what is expected, and whether a value is that
 
 
+def _is_number(value: Any) -> bool:
+    return isinstance(value, (int, float)) and not isinstance(value, bool)
+
+
+def _is_sized(value: float) -> bool:
+    """Is it finite, and 0 or of a size that there is?"""
+    return value == 0 or _SIZES[0] <= abs(value) <= _SIZES[1]
+
+
 def number(expectation: str, holds: Callable[[float], bool] = lambda v: True) -> Check:
-    return (expectation, lambda v: isinstance(v, (int, float)) and not isinstance(v, bool) and isfinite(v) and holds(v))
+    return (expectation, lambda v: _is_number(v) and _is_sized(v) and holds(v))
 
 
 def triple(expectation: str, holds: Callable[[list], bool] = lambda v: True) -> Check:
@@ -66,5 +87,7 @@ def checked(entries: dict[str, Any], source: str, required: dict[str, Check], op
                 raise ParameterError(f"{source}: entry '{key}' is missing; expected {expectation}")
         elif not holds(entries[key]):
             found = foamDictionary.format_value(entries[key])
+            if _is_number(entries[key]) and not _is_sized(entries[key]):
+                expectation += f", of a size from {_SIZES[0]:g} to {_SIZES[1]:g}"
             raise ParameterError(f"{source}: entry '{key}' is {found}; expected {expectation}")
     return entries

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 from pathlib import Path
 from typing import Any
@@ -43,7 +44,8 @@ def fluid_properties(name: str, temperature: float | None, source: str) -> dict[
     if temperature is not None:
         command += ["-T", f"{temperature:.12g}"]
     try:
-        done = subprocess.run(command, capture_output=True, text=True)
+        # OpenFOAM's programs do not start in a directory whose path has spaces
+        done = subprocess.run(command, capture_output=True, text=True, cwd="/", env={**os.environ, "PWD": "/"})
     except FileNotFoundError:
         raise ParameterError("titanProperties is not on the PATH; expected ./Allwmake and . etc/bashrc before") from None
     if done.returncode:

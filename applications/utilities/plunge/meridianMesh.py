@@ -508,6 +508,11 @@ def write_msh(mesh: VolumeMesh, place: np.ndarray, nose: np.ndarray, path: str) 
 
     gmsh.option.setNumber("Mesh.MshFileVersion", 2.2)
     gmsh.option.setNumber("Mesh.Binary", 0)
+    open(path, "wb").close()    # Where it cannot be written gmsh does not say why
     gmsh.write(path)
     gmsh.finalize()
+    with open(path, "rb") as file:
+        file.seek(-20, 2)
+        if not file.read().rstrip().endswith(b"$EndElements"):
+            raise MeshError(f"{path} could not be written whole; expected a disk with room")
     return quality

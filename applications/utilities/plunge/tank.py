@@ -209,7 +209,7 @@ def read(path: Path, overrides: dict[str, Any] = {}) -> Tank:
     checked(tank, f"{source}, tank",
             {"size": ("metres above 0: (x y z), or in the plane (x z)",
                       lambda v: isinstance(v, list) and len(v) in (2, 3) and all(positive[1](x) for x in v))},
-            {"open": ("a list of faces: " + " ".join(FACES), lambda v: isinstance(v, list) and set(v) <= set(FACES)),
+            {"open": ("a list of faces: " + " ".join(FACES), lambda v: isinstance(v, list) and all(face in FACES for face in v)),
              "walls": word(*WALLS)})
     numbers = len(tank["size"])
     size = np.array([tank["size"][0], 1.0, tank["size"][1]] if numbers == 2 else tank["size"], float)

@@ -326,6 +326,11 @@ Foam::shape::foot Foam::closedSurface::findNearest(const point& p, const scalar 
             mag(result.depth) > SMALL*mag(box_.span())
           ? vector((result.x - p)/result.depth)
           : surface_.faceNormals()[nearest.triangle];
+        if (dim_ == 2)
+        {
+            // Not off the plane, where nothing is inside, by round-off
+            result.x.z() = result.normal.z() = 0;
+        }
     }
     return result;
 }

@@ -11,9 +11,11 @@
 #include "inputChecks.H"
 #include "mapDistribute.H"
 #include "oversetFvPatch.H"
+#include "patchWave.H"
 #include "processorFvPatchField.H"
 #include "rigidZonesCellCellStencil.H"
 #include "stopAfterWriting.H"
+#include "wallPolyPatch.H"
 #include "zeroGradientFvPatchFields.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -547,17 +549,20 @@ void Foam::compositeMesh::stopAt(const label zone, const fringe& f) const
         where = magSqr(p - middle) > magSqr(where - middle) ? p : where;
     }
 
+    // OpenFOAM's own methods lose donors where zones overlap too little, too
+    const bool leaves = isExact() || !domain.contains(where);
     stopAfterWriting
     (
         mesh_,
         text
         (
-            "Overset zone ", zone, " (field zoneID) leaves the background: of the ",
+            "Overset zone ", zone, " (field zoneID) ", leaves ? "leaves" : "overlaps too little with", " the background: of the ",
             f.all[zone], " cells at its overset patches ", f.strays[zone],
             " find no donor there, one of them at ", where,
             ". The background spans ", domain, "."
         ),
-        "a body whose mesh stays within the background. A background that is larger there, a shorter run, or a function object that ends"
+        !leaves ? "five cells of the background, or more, between the body and the outer boundary of its mesh."
+      : "a body whose mesh stays within the background. A background that is larger there, a shorter run, or a function object that ends"
         " it before (plungeEvent); walls hold no body back."
     );
 }
@@ -599,6 +604,78 @@ void Foam::compositeMesh::checkDonors()
             << f.strays[zonei] << " of "
             << f.all[zonei] << " cells at its overset patches find"
             << " no donor and keep a zero gradient." << endl;
+    }
+    noteOverlap();
+}
+
+
+void Foam::compositeMesh::noteOverlap() const
+{
+    const labelList& zones = zoneID();
+    const auto& stencil = Stencil::New(mesh_);
+
+    // Of a cell its volume, and of the area that it shows along each coordinate
+    scalarField volume(mesh_.V().field());
+    vectorField shown(mesh_.nCells(), Zero);
+    for (label facei = 0; facei < mesh_.nFaces(); ++facei)
+    {
+        const vector half(0.5*cmptMag(mesh_.faceAreas()[facei]));
+        shown[mesh_.faceOwner()[facei]] += half;
+        if (mesh_.isInternalFace(facei))
+        {
+            shown[mesh_.faceNeighbour()[facei]] += half;
+        }
+    }
+    stencil.cellInterpolationMap().distribute(volume);
+    stencil.cellInterpolationMap().distribute(shown);
+
+    labelHashSet walls;
+    for (const polyPatch& patch : mesh_.boundaryMesh())
+    {
+        if (isA<wallPolyPatch>(patch))
+        {
+            walls.insert(patch.index());
+        }
+    }
+    const patchWave wave(mesh_, walls);
+
+    // From the body's walls to the overset boundary about it, in cells of the background
+    scalarField least(nZones(), GREAT);
+    for (const fvPatch& patch : mesh_.boundary())
+    {
+        if (!isA<oversetFvPatch>(patch))
+        {
+            continue;
+        }
+        const vectorField n(patch.nf());
+        forAll(patch, i)
+        {
+            const label celli = patch.faceCells()[i];
+            const scalar distance = wave.distance()[celli] + ((patch.Cf()[i] - mesh_.cellCentres()[celli]) & n[i]);
+            for (const label slot : stencil.cellStencil()[celli])
+            {
+                const scalar size = volume[slot]/max(shown[slot] & cmptMag(n[i]), VSMALL);
+                least[zones[celli]] = min(least[zones[celli]], distance/size);
+            }
+        }
+    }
+    Pstream::listCombineGather(least, minEqOp<scalar>());
+    Pstream::listCombineScatter(least);
+
+    // OpenFOAM's methods put their holes further out
+    const scalar needed = isExact() ? 4 : 5;
+    forAll(least, zonei)
+    {
+        // Cells are counted from one middle to another
+        if (least[zonei] < needed - 0.25)
+        {
+            Info<< nl << text
+                (
+                    "Note: Between the body of overset zone ", zonei, " and the outer boundary of its mesh there are ", least[zonei],
+                    " cells of the background; expected ", needed, " or more: forces may come out far wrong, and in a closed tank the run"
+                    " may diverge."
+                ).c_str() << nl << endl;
+        }
     }
 }
 
