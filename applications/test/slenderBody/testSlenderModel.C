@@ -194,3 +194,65 @@ TEST(slenderProperties, refusesWhatCannotBe)
     expectRefusal({"Entry tolerance is 0.1"}, read(entries(1, 0, 1, Zero, "tolerance 0.1;")));
     expectRefusal({"Entry interval is 0"}, read(entries(1, 0, 1, Zero, "outputs { interval 0; }")));
 }
+
+
+//  A sphere's centre of buoyancy is below its middle, whatever its attitude
+TEST(slenderModel, theBuoyancyOfASphereHasNoMoment)
+{
+    const auto sphere = std::make_shared<const meridian>(spheroidOf(1, 1));
+    for (const scalar angle : {0.0, 20.0, 50.0, 80.0})
+    {
+        for (const scalar height : {-0.6, 0.1, 0.7})
+        {
+            const slenderProperties p(entries(1000, angle, height, Zero, "flow attached;"), g, ".", sphere);
+            const slenderModel model(p);
+            const motion& force = model.evaluate(model.start()).forces[slenderModel::buoyancy];
+            const scalar h = 1 - height;
+            EXPECT_NEAR(mag(force.linear), 1e4*pi*h*h*(3 - h)/3, 40);
+            EXPECT_LT(mag(force.angular), 3e-3*mag(force.linear)) << angle << ' ' << height;
+        }
+    }
+}
+
+
+TEST(slenderModel, frictionIsThatOfTheLine)
+{
+    // Blasius at Re = 2e5, then Prandtl and Schlichting at 2e7 without a laminar part
+    for (const auto& each : {std::make_pair(0.1, 1.328/std::sqrt(2e5)), std::make_pair(10.0, 0.455/std::pow(std::log10(2e7), 2.58))})
+    {
+        const scalar U = each.first;
+        const auto p = properties
+        (
+            entries(50, 0, -5, vector(U, 0, 0), std::string("transitionReynolds ") + (U < 1 ? "5e5;" : "0;"))
+        );
+        const slenderModel model(p);
+        const auto now = model.evaluate(model.start());
+        const scalar unit = 500*U*U*each.second*slender()->area();
+        EXPECT_NEAR(-now.forces[slenderModel::friction].linear.x()/unit, 1 + 1.5*std::pow(0.1, 1.5), 1e-6);
+        EXPECT_NEAR(-now.forces[slenderModel::form].linear.x()/unit, 7e-3, 1e-6);
+        EXPECT_EQ(mag(now.forces[slenderModel::crossFlow].linear), 0);
+    }
+}
+
+
+TEST(slenderModel, cylindersAcrossTheStreamHaveTheirDrag)
+{
+    // Re = 2e4 of the widest section: 1.2, times 0.68 of a cylinder ten diameters long
+    const auto p = properties(entries(50, 0, -5, vector(0, 0, 0.1)));
+    const slenderModel model(p);
+    const scalar force = -model.evaluate(model.start()).forces[slenderModel::crossFlow].linear.z();
+    EXPECT_NEAR(force, 500*0.01*1.2*0.68*pi*0.1, 0.01*force);
+}
+
+
+TEST(slenderModel, aTailSteers)
+{
+    const auto p = properties(entries(50, 0, -5, vector(5, 0, 0.05), "boundaryLayer none; body { tail { volumeCoefficient 0.5; aspectRatio 2; } }"));
+    const slenderModel model(p);
+    const motion& force = model.evaluate(model.start()).forces[slenderModel::tail];
+    // Area times distance is half the frontal area times the length; Helmbold's slope
+    const scalar slope = 2*pi*2/(2 + std::sqrt(8.0)), area = 0.5*pi*0.01*2/1;
+    EXPECT_NEAR(force.linear.z(), -500*area*(slope*5 + 1.2*0.05)*0.05, 1e-9);
+    // It turns the nose into the stream: up
+    EXPECT_NEAR(force.angular.y(), force.linear.z(), 1e-9);
+}
