@@ -2,6 +2,8 @@
 
 #include "slenderDive.H"
 
+#include <algorithm>
+
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace
@@ -9,6 +11,9 @@ namespace
 
 //- Shortest step over the duration
 constexpr Foam::scalar leastStep = 1e-12;
+
+//- So many shortest steps on end, or steps at all, are those of a dive that is lost
+constexpr int mostShortest = 1000, mostSteps = 20000000;
 
 //- Halvings of the step in which an event is found
 constexpr int nHalvings = 30;
@@ -81,6 +86,20 @@ void Foam::slenderBody::slenderDive::findEvent(const slenderModel::state& before
 }
 
 
+void Foam::slenderBody::slenderDive::checkStep(const scalar taken)
+{
+    nShortest_ = taken <= 1.01*leastStep*duration_ ? nShortest_ + 1 : 0;
+    const bool isFinite = std::all_of(state_.begin(), state_.end(), [](const scalar y){ return std::isfinite(y); });
+    if (!isFinite || nShortest_ > mostShortest || nSteps_ > mostSteps)
+    {
+        FatalErrorInFunction
+            << "At " << time_ << " s, after " << nSteps_ << " steps, the last of " << taken << " s, the motion "
+            << (isFinite ? "changes faster than steps can follow" : "is not finite any more") << nl
+            << "Expected: a body whose forces the model has: look at its mass, its moments of inertia and its tail." << exit(FatalError);
+    }
+}
+
+
 void Foam::slenderBody::slenderDive::watchCavity()
 {
     if (!model_.hasCavity())
@@ -115,6 +134,7 @@ void Foam::slenderBody::slenderDive::advance()
     nextStep_ = step;
     time_ += taken;
     ++nSteps_;
+    checkStep(taken);
     now_ = model_.evaluate(state_);
     findEvent(before, taken);
     watchCavity();
