@@ -143,7 +143,7 @@ def test_samplesAreTheirDives(tmp_path: Path) -> None:
     run = solved(tmp_path/"run", DIVE, "-set", "duration=0.1")
     (run/"sample.csv").write_text("body/mass,liquid/rho,body/momentOfInertia\n2.857,664,(0.0029 0.13 0.13)\n5,500,(0.0051 0.129 0.129)\n")
     foam("slenderBody", "-sample", "sample.csv", case=run)
-    sample = np.genfromtxt(run/"postProcessing/sample/0/sample.csv", delimiter=",", names=True)
+    sample = np.genfromtxt(run/"results/sample.csv", delimiter=",", names=True)
     other = gather(solved(tmp_path/"other", DIVE, "-set", "duration=0.1", "-set", "body={ shape { type NACA; length 1; thicknessRatio 0.1; } "
                           "mass 5; momentOfInertia (0.0051 0.129 0.129); freedom free; }", "-set",
                           "fluids={ liquid astraeusPaper; gas titanAir; liquidDensity 500; surfaceTension 0.0311; gravity 1.35; "

@@ -18,6 +18,7 @@ Description
 #include "diveSample.H"
 #include "diveTables.H"
 #include "IOdictionary.H"
+#include "sigFpe.H"
 #include "timeControls.H"
 #include "uniformDimensionedFields.H"
 
@@ -53,6 +54,9 @@ int main(int argc, char *argv[])
     #include "createTime.H"
 
     checkTimeControls(runTime);
+
+    // Each step looks for numbers that are not finite
+    sigFpe::unset();
 
     const IOdictionary dict(IOobject("slenderBodyProperties", runTime.constant(), runTime, IOobject::MUST_READ, IOobject::NO_WRITE, false));
     const vector g

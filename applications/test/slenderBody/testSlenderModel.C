@@ -256,3 +256,19 @@ TEST(slenderModel, aTailSteers)
     // It turns the nose into the stream: up
     EXPECT_NEAR(force.angular.y(), force.linear.z(), 1e-9);
 }
+
+
+TEST(slenderDive, aDiveThatIsLostStops)
+{
+    const auto p = properties(entries(10, 60, -3, vector(0, 1e160, 0)));
+    FatalError.throwExceptions();
+    slenderDive dive(p, 1);
+    EXPECT_THROW
+    (
+        while (dive.runs())
+        {
+            dive.advance();
+        },
+        Foam::error
+    );
+}

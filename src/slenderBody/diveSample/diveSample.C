@@ -2,8 +2,9 @@
 
 #include "diveSample.H"
 
-#include "csvTable.H"
 #include "inputChecks.H"
+#include "OFstream.H"
+#include "OSspecific.H"
 #include "StringStream.H"
 #include "unitConversion.H"
 
@@ -150,14 +151,13 @@ void Foam::slenderBody::diveSample
     const std::vector<std::string> names(fields(line));
     const std::vector<std::string> events{"", "immersed", "atRest", "leftTheLiquid", "surfaced"};
 
-    csvTable table
-    (
-        time,
-        "sample",
-        "sample",
-        "line,end,end_s,end_speed_m_s,x_end_m,immersed_s,lost_m_s,turned_deg,impact_m_s2,peak_m_s2,deepest_m,deepest_s,"
+    mkDir(time.path()/"results");
+    OFstream table(time.path()/"results/sample.csv");
+    table.precision(12);
+    table
+        << "line,end,end_s,end_speed_m_s,x_end_m,immersed_s,lost_m_s,turned_deg,impact_m_s2,peak_m_s2,deepest_m,deepest_s,"
         "depth_1s_m,speed_1s_m_s,half_m,tenth_m,most_turned_deg"
-    );
+        << endl;
     std::unique_ptr<slenderProperties> firstProperties;
     std::unique_ptr<slenderDive> first;
     for (int number = 1; std::getline(in, line); ++number)
@@ -183,9 +183,19 @@ void Foam::slenderBody::diveSample
         outcome o;
         o.follow(*dive);
         const scalar end = std::find(events.begin(), events.end(), dive->event()) - events.begin();
-        table << number << end << dive->time() << mag(dive->now().velocity.linear) << dive->state()[0] << o.immersed << o.lost << o.turned
-            << o.impact << o.peak << o.deepest << o.whenDeepest << o.depthAfter << o.speedAfter << o.half << o.tenth << o.mostTurned;
-        table.endLine();
+        table << number;
+        for
+        (
+            const scalar value :
+            {
+                end, dive->time(), mag(dive->now().velocity.linear), dive->state()[0], o.immersed, o.lost, o.turned, o.impact, o.peak,
+                o.deepest, o.whenDeepest, o.depthAfter, o.speedAfter, o.half, o.tenth, o.mostTurned
+            }
+        )
+        {
+            table << ',' << value;
+        }
+        table << endl;
         if (!first)
         {
             firstProperties = std::move(own);

@@ -10,6 +10,7 @@ import numpy as np
 
 from plunge import fluids as pairs
 from plunge.results import gather, parameters
+from plunge.shapes import NACA
 from plunge.studies.particleRuns import call
 from plunge.studies.pictures import draw
 from plunge.studies.scenes import prepare, solve as finish
@@ -54,7 +55,14 @@ def solve(run: Run, path) -> None:
 
 
 def of(done) -> np.ndarray:
-    return np.genfromtxt(done.path/"postProcessing/sample/0/sample.csv", delimiter=",", names=True)
+    return np.genfromtxt(done.path/"results/sample.csv", delimiter=",", names=True)
+
+
+def balance(given: dict[str, str]) -> float:
+    """2 (k2 - k1) V/(A L a), with Lamb's coefficients and Helmbold's slope a for an aspect ratio of 2, the tail at the body's end."""
+    length, ratio, volume = (float(given[name]) for name in ("bodyLength", "thicknessRatio", "bodyVolume"))
+    along, across, _ = NACA(length, ratio).added_mass_coefficients()[0]
+    return float(2*(across - along)*volume/(np.pi/4*(ratio*length)**2*length*2*np.pi*2/(2 + np.sqrt(8))))
 
 
 def spread(name: str, unit: str, column: str, what=lambda values: values) -> list[Quantity]:
@@ -89,7 +97,8 @@ study = Study(
         *spread("peak deceleration", "m/s2", "peak_m_s2"),
         *(Quantity(f"dives that end {how}", "%", lambda done, code=code: 100*float(np.mean(of(done)["end"] == code)))
           for how, code in (("at rest", 2), ("back at the surface", 4), ("later than 60 s", 0))),
-        Quantity("CPU time of the single dive", "s", lambda done: done.cpu)],
+        Quantity("CPU time of the single dive", "s", lambda done: done.cpu),
+        Quantity("tail coefficient that balances Munk's moment", "1", lambda done: balance(parameters(done.path)) if not done.run.given["tail"] else None)],
     headlines=["deepest point, median"],
     figure=lambda done, file: draw(file, [
         ({"title": "Speed over depth, 25 m/s at 75 deg", "xlabel": "depth [m]", "ylabel": "speed [m/s]", "xlim": (0, 30)}, {},
