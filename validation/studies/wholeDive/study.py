@@ -51,7 +51,7 @@ def solve(run: Run, path) -> None:
     (path/"constant/slenderBodySettings").write_text("until (atRest surfaced leftTheLiquid);\n")
     finish(path)
     (path/"sample.csv").write_text(sample(run, parameters(path)))
-    call(path, "slenderBody", "-sample", "sample.csv")
+    call(path, "slenderBody", "-sample", "sample.csv", mode="a")
 
 
 def of(done) -> np.ndarray:
@@ -97,7 +97,7 @@ study = Study(
         *spread("peak deceleration", "m/s2", "peak_m_s2"),
         *(Quantity(f"dives that end {how}", "%", lambda done, code=code: 100*float(np.mean(of(done)["end"] == code)))
           for how, code in (("at rest", 2), ("back at the surface", 4), ("later than 60 s", 0))),
-        Quantity("CPU time of the single dive", "s", lambda done: done.cpu),
+        Quantity("CPU time for a dive", "ms", lambda done: 1e3*done.cpu/(1 + done.run.given["dives"])),
         Quantity("tail coefficient that balances Munk's moment", "1", lambda done: balance(parameters(done.path)) if not done.run.given["tail"] else None)],
     headlines=["deepest point, median"],
     figure=lambda done, file: draw(file, [
