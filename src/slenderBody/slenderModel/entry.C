@@ -13,7 +13,7 @@ namespace
 using namespace Foam;
 
 //- Drag of a cone with a cavity at the surface's pressure behind it, over rho U^2 A/2: Guzevskii's approximation of his
-//  computations (1973; quoted in Savchenko 2001, RTO-EN-010, paper 14). 0.5 at 45 degrees, 0.82 of a disc
+//  computations (1973; quoted in Savchenko 2001, RTO-EN-010). 0.5 at 45 degrees, 0.82 of a disc
 scalar cavityDrag(const scalar halfAngle)
 {
     const scalar a = halfAngle/constant::mathematical::pi;

@@ -101,7 +101,7 @@ void Foam::slenderBody::slenderModel::chooseFlow()
     if (corner > 0)
     {
         hasCavity_ = true;
-        rule_ = text("a convex corner of more than ", sharp, " deg, which the liquid leaves at any speed (May 1975, ch. 2)");
+        rule_ = text("a convex corner of more than ", sharp, " deg, which the liquid leaves at any speed (May 1975)");
     }
     else if (slenderness > bluff && speed > capillary)
     {
