@@ -181,6 +181,26 @@ TEST(slenderModel, whetherTheFlowLeavesTheBody)
 }
 
 
+//  From the moment at which the liquid, which rises, reaches the shoulder the force is that of the steady cavity or more
+TEST(slenderModel, noForceBelowThatOfTheCavity)
+{
+    const auto cone = std::make_shared<const meridian>(coneOf(25, 10));
+    const scalar height = 1/std::tan(25*pi/180);
+    // 0.274 of a cone of 25 degrees, over rho U^2 A/2
+    const scalar steady = 0.274*500*100*pi;
+    for (scalar depth = 0.96*height; depth < 3*height; depth += 0.05*height)
+    {
+        dictionary dict(entries(1e6, 90, 0, vector(0, 0, -10), "boundaryLayer none; body { freedom prescribed; centreFromNose (0 0 0); }"));
+        dict.subDict("body").set("centreOfMass", vector(0, 0, -depth));
+        const slenderProperties p(dict, Zero, ".", cone);
+        const slenderModel model(p);
+        const auto now = model.evaluate(model.start());
+        const scalar force = -now.forces[slenderModel::inertia].linear.x() - now.forces[slenderModel::form].linear.x();
+        EXPECT_GT(force, 0.99*steady) << depth/height;
+    }
+}
+
+
 TEST(slenderProperties, refusesWhatCannotBe)
 {
     const auto read = [](const dictionary& dict){ return [dict]{ properties(dict); }; };

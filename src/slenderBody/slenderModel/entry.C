@@ -39,7 +39,7 @@ void Foam::slenderBody::slenderModel::enter(instant& now) const
     const scalar f = now.wet.lengthRate > 0 ? entry.force(depth) : 0;
     now.entryForce = -f*sqr(U);
 
-    if (hasCavity_ && depth > shoulder_)
+    if (hasCavity_ && depth > cavityDepth_)
     {
         // Where that is more than what is left of the entry's
         const scalar R = properties_.shape->radius(shoulder_*(1 - 1e-9));

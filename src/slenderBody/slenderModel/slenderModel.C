@@ -163,6 +163,8 @@ Foam::slenderBody::slenderModel::slenderModel(const slenderProperties& propertie
     chooseFlow();
     setDirections();
 
+    cavityDepth_ = shoulder_ > 0 && shoulder_ <= body.widest() ? shoulder_/axialEntry::rise(body, shoulder_*(1 - 1e-9)) : shoulder_;
+
     const scalar volume = body.volume();
     const scalar a = 0.5*body.length();
     const scalar b = std::sqrt(volume/(4.0/3*pi*a));
