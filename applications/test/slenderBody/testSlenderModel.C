@@ -188,7 +188,7 @@ TEST(slenderModel, noForceBelowThatOfTheCavity)
     const scalar height = 1/std::tan(25*pi/180);
     // 0.274 of a cone of 25 degrees, over rho U^2 A/2
     const scalar steady = 0.274*500*100*pi;
-    for (scalar depth = 0.96*height; depth < 3*height; depth += 0.05*height)
+    for (const scalar depth : {0.96*height, 1.2*height, 2.5*height})
     {
         dictionary dict(entries(1e6, 90, 0, vector(0, 0, -10), "boundaryLayer none; body { freedom prescribed; centreFromNose (0 0 0); }"));
         dict.subDict("body").set("centreOfMass", vector(0, 0, -depth));

@@ -163,7 +163,7 @@ Foam::slenderBody::slenderModel::slenderModel(const slenderProperties& propertie
     chooseFlow();
     setDirections();
 
-    cavityDepth_ = shoulder_ > 0 && shoulder_ <= body.widest() ? shoulder_/axialEntry::rise(body, shoulder_*(1 - 1e-9)) : shoulder_;
+    cavityDepth_ = shoulder_ > 0 && shoulder_ <= body.widest()*(1 + 1e-6) ? shoulder_/axialEntry::rise(body, shoulder_*(1 - 1e-9)) : shoulder_;
 
     const scalar volume = body.volume();
     const scalar a = 0.5*body.length();
