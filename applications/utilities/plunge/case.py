@@ -104,7 +104,7 @@ class Case:
     @property
     def _how(self) -> str:
         return f"{self.flat['application']}, tier {self.options['tier']}, resolution {self.options['resolution']:g}, " \
-               f"{float(self.flat['diveDuration']) * 1e3:.4g} ms on {self.flat['cores']} core(s)"
+               f"{float(self.flat.get('diveDuration', self.scene.duration)) * 1e3:.4g} ms on {self.flat.get('cores', self.options['cores'])} core(s)"
 
 
 def parameters(given: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any], dict[str, Any]]:
