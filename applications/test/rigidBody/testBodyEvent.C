@@ -62,6 +62,18 @@ TEST(bodyEvent, leavesTheLiquidOnceItHasTouchedIt)
 }
 
 
+TEST(bodyEvent, surfacesOnceItWasImmersed)
+{
+    bodyEvent surfaced(event("surfaced"));
+    EXPECT_FALSE(surfaced.hasHappened(at(0.5, -1, 1)));
+    EXPECT_FALSE(surfaced.hasHappened(at(-1.1, -1, 1)));
+    bodyEvent again(event("surfaced"));
+    again.remember(surfaced.memory());
+    EXPECT_FALSE(again.hasHappened(at(-1.1, 1, 1)));
+    EXPECT_TRUE(again.hasHappened(at(-0.9, 1, 1)));
+}
+
+
 TEST(bodyEvent, remembers)
 {
     bodyEvent atRest(event("atRest")), left(event("leftTheLiquid"));

@@ -19,7 +19,7 @@ from plunge import scene as scenes
 from plunge import tank as tank_scenes
 from plunge.checks import ParameterError, count, number, word
 from plunge.decisions import Decision
-from plunge.methods import meshes, particles, tanks, tiers
+from plunge.methods import meshes, particles, slender, tanks, tiers
 from plunge.methods.meshes import vector
 from plunge.methods.tiers import TEMPLATES
 from plunge.scene import Scene
@@ -46,10 +46,12 @@ OPTIONS = {
     "boundaryLayer": word("auto", "laminar", "wallFunction", "frictionLine", "none"),
     "surfaceTension": word("auto", "on", "off"),
     "soundSpeed": number("metres per second, above 0", lambda v: v > 0),
+    "flow": word("auto", "attached", "cavity"),
 }
 DEFAULTS: dict[str, Any] = {"method": "meshes", "model": "auto", "mesh": "auto", "tier": "fast", "resolution": 1, "cores": 2,
-                            "boundaryLayer": "auto", "surfaceTension": "auto", "soundSpeed": None}
-APPLICATIONS = {"meshes": "plungeFoam", "particles": "plungeSPH"}
+                            "boundaryLayer": "auto", "surfaceTension": "auto", "soundSpeed": None, "flow": "auto"}
+APPLICATIONS = {"meshes": "plungeFoam", "particles": "plungeSPH", "slenderBody": "slenderBody"}
+_UNITS = {"meshes": ("cells", "estimatedCells"), "particles": ("particles", "fluidParticles"), "slenderBody": ("steps", "estimatedSteps")}
 
 
 @dataclass(frozen=True)
@@ -68,12 +70,12 @@ class Case:
     @property
     def unit(self) -> str:
         """What its resolution is counted in"""
-        return "cells" if self.options["method"] == "meshes" else "particles"
+        return _UNITS[self.options["method"]][0]
 
     @property
     def count(self) -> float:
         """Of them, estimated"""
-        return float(self.flat["estimatedCells" if self.unit == "cells" else "fluidParticles"])
+        return float(self.flat[_UNITS[self.options["method"]][1]])
 
     @property
     def name(self) -> str:
@@ -102,7 +104,7 @@ class Case:
     @property
     def _how(self) -> str:
         return f"{self.flat['application']}, tier {self.options['tier']}, resolution {self.options['resolution']:g}, " \
-               f"{self.scene.duration * 1e3:.4g} ms on {self.options['cores']} core(s)"
+               f"{float(self.flat.get('diveDuration', self.scene.duration)) * 1e3:.4g} ms on {self.flat.get('cores', self.options['cores'])} core(s)"
 
 
 def parameters(given: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any], dict[str, Any]]:
@@ -129,13 +131,21 @@ def derive(path: Path, given: dict[str, Any] = {}) -> Case:
 
 def _derived(path: Path, given: dict[str, Any]) -> Case:
     options, tier_entries, entries = parameters(given)
-    if options["soundSpeed"] is not None and options["method"] == "meshes":
+    if options["soundSpeed"] is not None and options["method"] != "particles":
         raise ParameterError("-soundSpeed is of particles; expected -method particles with it")
+    if options["flow"] != "auto" and options["method"] != "slenderBody":
+        raise ParameterError(f"-flow {options['flow']} is of slenderBody; expected -method slenderBody with it")
     if tank_scenes.is_tank(path, entries):
+        if options["method"] == "slenderBody":
+            raise ParameterError(f"{path}: -method slenderBody, but there is no body; expected -method meshes or particles")
         return _of_tank(tank_scenes.read(path, entries), options, tier_entries)
     scene = scenes.read(path, entries)
     tier = tiers.read(options["tier"], tier_entries)
     method = options["method"]
+    if method == "slenderBody":
+        slender.check(scene)
+    elif any(name.startswith("body.tail.") for name in scene.given):
+        scene.notes.append(f"tail: -method slenderBody has it; {APPLICATIONS[method]} leaves it out")
     model = decisions.model(scene, method, options["model"])
     mesh = decisions.mesh(scene, method, model.choice, options["mesh"])
     decided = {"model": model, **({"mesh": mesh} if method == "meshes" else {})}
@@ -143,6 +153,11 @@ def _derived(path: Path, given: dict[str, Any]) -> Case:
         asked = meshes.Meshes(scene, tier, options["resolution"], options["cores"], model.choice, mesh.choice)
         decided |= meshes.decide(asked, options["boundaryLayer"], options["surfaceTension"])
         of_method = meshes.sections(asked, decided)
+        turn = np.eye(3)
+    elif method == "slenderBody":
+        body = slender.Slender(scene, tier, options["resolution"], 1, model.choice, options["flow"])
+        decided |= slender.decide(body, options["boundaryLayer"], options["surfaceTension"])
+        of_method = slender.sections(body)
         turn = np.eye(3)
     else:
         asked = particles.Particles(scene, tier, options["resolution"], options["cores"], model.choice, options["soundSpeed"])
@@ -229,6 +244,8 @@ def _copy_case(case: Case, run: Path) -> None:
             without += [] if flat["boundaryLayer"] == "wallFunction" else _TURBULENCE
             without += [] if flat["mesh"] == "overset" else _OVERSET
             without += ["snapped"]
+        if method == "slenderBody":
+            without += ["bodyMotion"]
         for source in (TEMPLATES / "common", TEMPLATES / method):
             _copy(source, run, tuple(without))
         if flat.get("bodyMesh") == "snapped":
@@ -303,6 +320,8 @@ def _make(case: Case, run: Path, given: dict[str, Any]) -> None:
     """The files of the run directory."""
     _copy_case(case, run)
     _write_scene(case, run, parameters(given)[2])
+    if case.options["method"] == "slenderBody":
+        slender.write_meridian(case.scene.shape, run / slender.MERIDIAN)
     allrun = run / "Allrun"
     allrun.write_text(allrun.read_text().replace("@plungeDir@", str(TEMPLATES.parents[1])))
     allrun.chmod(0o755)

@@ -14,7 +14,7 @@ from plunge.checks import ParameterError
 from plunge.meridianMesh import SECTOR
 from plunge.scene import Scene
 
-METHODS = ("meshes", "particles")
+METHODS = ("meshes", "particles", "slenderBody")
 MODELS = ("plane", "axisymmetric", "quarter", "half", "full")
 MESHES = ("overset", "single")
 # Of the body that a model holds; elsewhere all of it. Between plane wedges a sector has the volume of a polygon's.
@@ -74,9 +74,13 @@ def model(scene: Scene, method: str, asked: str) -> Decision:
             raise ParameterError(f"{source}, but particles have no axisymmetric model; expected auto, quarter, half or full")
         if asked == "quarter" and method == "meshes":
             raise ParameterError(f"{source}, but that is for particles; expected auto, axisymmetric, half or full")
+        if method == "slenderBody" and asked != "full":
+            raise ParameterError(f"{source}, but slenderBody takes the whole body; expected auto or full")
         if asked == "half" and why_not_half:
             raise ParameterError(f"{source}, but {why_not_half}; expected full")
         return Decision(asked, "as asked")
+    if method == "slenderBody":
+        return Decision("full", "strips of the whole body")
     if plane:
         return Decision("plane", "the shape lies in a plane")
     if vertical and straight:
@@ -97,6 +101,10 @@ def mesh(scene: Scene, method: str, modelled: str, asked: str) -> Decision:
         if asked not in ("auto", *MESHES):
             raise ParameterError(f"-mesh {asked}: expected one of: auto {' '.join(MESHES)}")
         return Decision("none", "particles have none")
+    if method == "slenderBody":
+        if asked != "auto":
+            raise ParameterError(f"-mesh {asked}, but slenderBody has no mesh; expected auto")
+        return Decision("none", "strips need none")
     if modelled in ("plane", "axisymmetric"):
         if asked == "overset":
             raise ParameterError(f"{scene.source}: -mesh overset, but the model is {modelled}, whose mesh moves with the body; expected "
@@ -117,6 +125,11 @@ def boundary_layer(scene: Scene, method: str, asked: str, first_layer: float, af
         if asked not in ("auto", "none"):
             raise ParameterError(f"-boundaryLayer {asked}: expected auto or none: plungeSPH has no boundary layer")
         return Decision("none", "plungeSPH has none")
+    if method == "slenderBody":
+        if asked not in ("auto", "frictionLine", "none"):
+            raise ParameterError(f"-boundaryLayer {asked}: expected auto, frictionLine or none: slenderBody has no other")
+        transition = f"transition at {transition:.3g} of the wetted length"
+        return Decision("none", "as asked") if asked == "none" else Decision("frictionLine", f"Re = {scene.wetted_reynolds:.3g}, {transition}")
     of = f"Re = {scene.wetted_reynolds:.3g}" + (" of the length that is wetted" if scene.wetted_length < scene.shape.length else "")
     needed = boundaryLayer.resolving_layer(scene.wetted_reynolds, scene.wetted_length)
     resolved = affordable or first_layer <= needed
@@ -139,6 +152,10 @@ def surface_tension(scene: Scene, method: str, asked: str) -> Decision:
         if asked == "on":
             raise ParameterError("-surfaceTension on: expected auto or off: plungeSPH has none")
         return Decision("off", "plungeSPH has none")
+    if method == "slenderBody":
+        if asked == "on":
+            raise ParameterError("-surfaceTension on: expected auto or off: slenderBody has none")
+        return Decision("off", "slenderBody has none; whether a smooth body draws a cavity depends on it")
     sigma = scene.fluids["surfaceTension"]
     if sigma == 0:
         if asked == "on":
@@ -168,7 +185,7 @@ def sections(decided: dict[str, Decision], scene: Scene, method: str) -> dict[st
     """Entries of plungeGenerated."""
     return {
         "boundaryLayer": decided["boundary_layer"].choice,
-        **({"transitionReynolds": scene.transition} if method == "meshes" else {}),
+        **({"transitionReynolds": scene.transition} if method != "particles" else {}),
         "surfaceTensionModelled": decided["surface_tension"].choice,
         "decisions": described(**decided),
     }

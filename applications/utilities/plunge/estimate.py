@@ -2,7 +2,8 @@
 """What a scene costs on this machine, by a short probe: the same scene, coarse, on one core.
 
 A probe runs to the scene's end, or for PROBE_SECONDS of CPU time. From it come the time of a cell (particle) and step, the steps,
-which go with the cells' size, memory and disk of a cell, and what the formula for the number of cells leaves out."""
+which go with the cells' size, memory and disk of a cell, and what the formula for the number of cells leaves out. A slender body
+runs to its end at once."""
 
 from __future__ import annotations
 
@@ -95,7 +96,7 @@ def _probe(scene: Path, entries: dict[str, Any], resolution: float, run: Path) -
 
 
 def _duration(seconds: float) -> str:
-    return f"{seconds:.0f} s" if seconds < 120 else f"{seconds / 60:.0f} min" if seconds < 7200 else f"{seconds / 3600:.1f} h"
+    return f"{seconds:.2g} s" if seconds < 1 else f"{seconds:.0f} s" if seconds < 120 else f"{seconds / 60:.0f} min" if seconds < 7200 else f"{seconds / 3600:.1f} h"
 
 
 def _megabytes(value: float) -> str:
@@ -135,6 +136,8 @@ class Estimate:
 def of(scene: Path, entries: dict[str, Any], case: Case) -> Estimate:
     """By a probe in a temporary directory, which is announced on stderr."""
     method, resolution = case.options["method"], float(case.options["resolution"])
+    if method == "slenderBody":
+        return _run_at_once(scene, entries, case)
     ratio = _PROBE_COUNT[method] / case.count
     dimensions = 2 if case.flat["model"] in ("plane", "axisymmetric") else 3
     probed = max(_COARSEST, min(0.5 * resolution, resolution * ratio ** (1 / dimensions)))
@@ -158,6 +161,18 @@ def of(scene: Path, entries: dict[str, Any], case: Case) -> Estimate:
     return Estimate(case.unit, count, steps, probe.set_up * count, probe.solver * growth * count * steps, cores,
                     (processes * _BASE_MEMORY + probe.memory * count) / 1000,
                     probe.frame * count * (case.scene.frames + 1) / 1000, case.scene.frames)
+
+
+def _run_at_once(scene: Path, entries: dict[str, Any], case: Case) -> Estimate:
+    """Of a run that takes less than a second: by that run."""
+    with tempfile.TemporaryDirectory(prefix="plungeEstimate") as folder:
+        run = Path(folder).resolve() / "run"
+        cases.write(case, run, entries)
+        seconds, memory = _run(["slenderBody"], run, run / "log.slenderBody")
+        steps = re.search(r"^(\d+) steps", (run / "log.slenderBody").read_text(), re.M)
+        disk = _directory_size(run) / 1e6
+    made = float(steps[1]) if steps else 0.0
+    return Estimate(case.unit, made, made, 0.0, seconds, 1, memory / 1000, disk, 1)
 
 
 def _coarser(case: Case, coarse: Case) -> float:

@@ -369,7 +369,7 @@ def parameters(case: Path) -> dict[str, str]:
 
 
 def solver_name(case: Path) -> str:
-    """The solver that the case is for: plungeSPH has particles, any other a mesh."""
+    """The solver that the case is for: plungeSPH has particles, slenderBody has strips, any other a mesh."""
     return entry(case, "system/controlDict", "application")
 
 
@@ -437,6 +437,8 @@ def describe(case: Path) -> str:
             words.append(f"resolution {given['resolution']}")
     if solver_name(case) == "plungeSPH":
         words.append(f"{particle_counts(case)[0]:,} particles of liquid")
+    elif solver_name(case) == "slenderBody":
+        words += ["slender body by strips", f"boundary layer {given.get('boundaryLayer')}"]
     else:
         layer = given.get("boundaryLayer")
         words += [*([f"boundary layer {layer}"] if layer else []), f"{cell_count(case):,} cells"]

@@ -17,7 +17,7 @@ from plunge.checks import Check, ParameterError, checked, flat, not_negative, nu
 from plunge.shapes import Shape, ShapeError, read_shape
 
 FREEDOMS = ("fixed", "prescribed", "axial", "planar", "free")
-EVENTS = ("immersed", "atRest", "leftTheLiquid")
+EVENTS = ("immersed", "atRest", "leftTheLiquid", "surfaced")
 
 _BODY: dict[str, Check] = {"freedom": word(*FREEDOMS)}
 _BODY_OPTIONAL: dict[str, Check] = {
@@ -26,6 +26,10 @@ _BODY_OPTIONAL: dict[str, Check] = {
     "centreOfMass": ("metres aft of the nose, or three numbers: (aft, to the side, dorsal)",
                      lambda v: number("")[1](v) or triple("")[1](v)),
     "momentOfInertia": triple("three numbers above 0: (roll pitch yaw)", lambda v: all(x > 0 for x in v)),
+    # Fins like a cross, of slenderBody: area of a pair times its distance from the centre of mass, over frontal area times length
+    "tail.volumeCoefficient": positive,
+    "tail.aspectRatio": positive,
+    "tail.position": positive,  # aft of the nose [m]
 }
 _ENTRY: dict[str, Check] = {
     "speed": not_negative,
@@ -421,9 +425,9 @@ def _check_consistency(scene: Scene) -> None:
         raise ParameterError(f"{source}: entry 'entry.spin' rolls or yaws a shape that lies in a plane; expected pitch alone: (0 1 0)")
     event = given.get("until")
     over = {"immersed": scene.immersed and _highest(scene) < 0, "atRest": scene.speed == 0 and scene.freedom in ("fixed", "prescribed"),
-            "leftTheLiquid": scene.freedom == "fixed"}
+            "leftTheLiquid": scene.freedom == "fixed", "surfaced": scene.freedom == "fixed"}
     if event and (over[event] or (event == "atRest" and scene.freedom == "prescribed")):
-        raise ParameterError(f"{source}: entry 'until' is {event}, which {'holds from the start' if over[event] and event != 'leftTheLiquid' else 'never comes'}; "
+        raise ParameterError(f"{source}: entry 'until' is {event}, which {'holds from the start' if over[event] and event not in ('leftTheLiquid', 'surfaced') else 'never comes'}; "
                              "expected another event, or duration")
     if scene.immersed and scene.lowest >= 0:
         raise ParameterError(f"{source}: entry 'entry.depth' is {given['entry.depth']:g}, which leaves the body above the surface; expected "

@@ -10,6 +10,7 @@ const Foam::Enum<Foam::bodyEvent::kind> Foam::bodyEvent::names
     { kind::immersed, "immersed" },
     { kind::atRest, "atRest" },
     { kind::leftTheLiquid, "leftTheLiquid" },
+    { kind::surfaced, "surfaced" },
 });
 
 
@@ -38,11 +39,13 @@ bool Foam::bodyEvent::hasHappened(const place& now)
 {
     highestSpeed_ = max(highestSpeed_, now.speed);
     hasTouched_ = hasTouched_ || now.lowest < 0;
+    wasImmersed_ = wasImmersed_ || now.highest < 0;
     switch (kind_)
     {
         case kind::immersed: return now.highest < 0;
         case kind::atRest: return now.speed < restingShare*highestSpeed_;
         case kind::leftTheLiquid: return hasTouched_ && now.lowest > 0 && now.climb > 0;
+        case kind::surfaced: return wasImmersed_ && now.highest > 0;
     }
     return false;
 }
@@ -59,6 +62,7 @@ void Foam::bodyEvent::remember(const FixedList<scalar, 2>& memory)
 {
     highestSpeed_ = memory[0];
     hasTouched_ = memory[1] > 0;
+    wasImmersed_ = memory[1] > 1.5;
 }
 
 // ************************************************************************* //
