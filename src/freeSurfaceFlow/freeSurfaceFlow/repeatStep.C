@@ -21,11 +21,11 @@ constexpr Foam::scalar light = 0.9;
 } // End anonymous namespace
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-bool Foam::freeSurfaceFlow::repeatStep()
+bool Foam::freeSurfaceFlow::breaksNewtonsLaw()
 {
-    if (!body_ || body_->isPrescribed())
+    if (body_->isPrescribed())
     {
         return false;
     }
@@ -80,6 +80,26 @@ bool Foam::freeSurfaceFlow::repeatStep()
             worstBalance_ = missing;
             worstTime_ = time_.value();
         }
+    }
+    return false;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::freeSurfaceFlow::repeatStep()
+{
+    if (body_ && breaksNewtonsLaw())
+    {
+        return true;
+    }
+    if (history_)
+    {
+        body_->endStep(history_(), time_.deltaTValue());
+    }
+    if (backward_)
+    {
+        backward_->endStep(phi_, Uf_);
     }
     return false;
 }
