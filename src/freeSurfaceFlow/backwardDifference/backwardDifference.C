@@ -70,7 +70,8 @@ Foam::tmp<Foam::surfaceVectorField> Foam::backwardDifference::velocityToMiddle()
       ? half()*fvc::interpolate(U_.oldTime() - U_.oldTime().oldTime())
       : 0*fvc::interpolate(U_)
     );
-    toEnd_ = mesh_.Sf() & tchange();
+    // With that of the mesh, whose flux is the mean of the step
+    toEnd_ = (mesh_.Sf() & tchange()) - (fvc::meshPhi(U_) - mesh_.phi());
     for (fvsPatchScalarField& p : toEnd_.ref().boundaryFieldRef())
     {
         if (!p.coupled())

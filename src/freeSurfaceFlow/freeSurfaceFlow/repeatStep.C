@@ -30,7 +30,9 @@ bool Foam::freeSurfaceFlow::breaksNewtonsLaw()
         return false;
     }
     const scalar heaviest = max(mixture_.rho1(), mixture_.rho2()).value();
-    if (body_->mass() > light*heaviest*mag(body_->enclosedVolume()))
+    // In the first step no load is known: its error would stay in the velocity
+    const bool isFirst = history_ && history_->now().number == 1;
+    if (!isFirst && body_->mass() > light*heaviest*mag(body_->enclosedVolume()))
     {
         return false;
     }

@@ -103,6 +103,19 @@ bool Foam::interfaceSchemes::MULES::isBackward() const
 }
 
 
+bool Foam::interfaceSchemes::MULES::isUniform() const
+{
+    scalar least = gMin(alpha1_.primitiveField());
+    scalar most = gMax(alpha1_.primitiveField());
+    for (const fvPatchScalarField& p : alpha1_.boundaryField())
+    {
+        least = min(least, gMin(p));
+        most = max(most, gMax(p));
+    }
+    return least == most;
+}
+
+
 Foam::tmp<Foam::surfaceScalarField>
 Foam::interfaceSchemes::MULES::centredPhi(const scalar cn) const
 {
@@ -230,6 +243,12 @@ void Foam::interfaceSchemes::MULES::advance()
 
     const tmp<surfaceScalarField> tphi(centredPhi(cn));
     const surfaceScalarField& phi = tphi();
+
+    if (isUniform())
+    {
+        alphaPhi_ = phi*fvc::interpolate(alpha1_);
+        return;
+    }
 
     const surfaceScalarField phic(compression(c));
 

@@ -313,8 +313,8 @@ void Foam::sixDoFSolvers::addedMass::solveBackward
         forget();
         const bodyHistory::step& before = history.last();
 
-        // Loads of the end of the step, and what they give it, on a line through the last two
-        const scalar ahead = before.deltaT > 0 ? deltaT/before.deltaT : 0;
+        // Loads of the end of the step, and what they give it, on a line through the last two. Before its first step a flow has no pressure
+        const scalar ahead = before.number > 1 ? deltaT/before.deltaT : 0;
         const scalarField acceleration(last + ahead*(last - before.acceleration));
         change_ = solved(M + estimated, now + ahead*(now - before.loads) + times(estimated, acceleration), free);
         history.now().loads = now;

@@ -16,6 +16,7 @@ template<class Step, class Function>
 void forParts(Step& s, const Function& f)
 {
     f("deltaT", s.deltaT);
+    f("number", s.number);
     f("meanVelocity", s.meanVelocity);
     f("meanSpin", s.meanSpin);
     f("velocityChange", s.velocityChange);
@@ -46,7 +47,7 @@ Foam::bodyHistory::bodyHistory(const Time& time)
         )
     ),
     time_(time),
-    now_{0, Zero, Zero, Zero, Zero, scalarField(6, Zero), scalarField(6, Zero), Zero, Zero},
+    now_{0, 0, Zero, Zero, Zero, Zero, scalarField(6, Zero), scalarField(6, Zero), Zero, Zero},
     last_(now_)
 {
     if (found("deltaT"))
@@ -61,6 +62,7 @@ Foam::bodyHistory::bodyHistory(const Time& time)
 void Foam::bodyHistory::startStep()
 {
     last_ = now_;
+    ++now_.number;
 }
 
 
