@@ -24,6 +24,10 @@ void Foam::freeSurfaceFlow::advectInterface()
         mixture_.alpha1()*mixture_.rho1() + mixture_.alpha2()*mixture_.rho2();
 
     composite_.mask(rhoPhi_);
+    if (backward_)
+    {
+        backward_->update(rho_);
+    }
 
     mixture_.correct();
     if (interface_)

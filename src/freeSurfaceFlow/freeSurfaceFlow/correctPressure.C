@@ -122,7 +122,8 @@ void Foam::freeSurfaceFlow::setCorrectorTerms()
         correctorTerms_->ddtCorr =
             MRF_.zeroFilter
             (
-                fvc::interpolate(rho_*rAU)*fvc::ddtCorr(U_, phi_, Uf_)
+                fvc::interpolate(rho_*rAU)
+               *(backward_ ? backward_->ddtCorr(phi_, Uf_) : fvc::ddtCorr(U_, phi_, Uf_))
             );
     }
     else if (controls().ddtCorr)
@@ -130,7 +131,7 @@ void Foam::freeSurfaceFlow::setCorrectorTerms()
         correctorTerms_->ddtCorr =
             fvc::interpolate(rho_*rAU)
            *composite_.faceMaskOld()
-           *fvc::ddtCorr(U_, Uf_());
+           *(backward_ ? backward_->ddtCorr(phi_, Uf_) : fvc::ddtCorr(U_, Uf_()));
     }
 
     if (bodyForces_.valid())

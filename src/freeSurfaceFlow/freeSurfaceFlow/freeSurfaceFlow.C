@@ -105,6 +105,12 @@ Foam::freeSurfaceFlow::freeSurfaceFlow(dynamicFvMesh& mesh)
     composite_(mesh),
     rDeltaT_(newLocalTimeSteps()),
     body_(scene_.hasBody() ? new bodyMotion(mesh) : nullptr),
+    history_
+    (
+        body_ && backwardDifference::isWanted(mesh) && body_->integrator().getOrDefault<word>("type", word::null) == "addedMass"
+      ? new bodyHistory(time_)
+      : nullptr
+    ),
     addedMass_(body_ && addedMassTensor::isWanted(body_()) ? new addedMassTensor(mesh, body_()) : nullptr),
     p_rgh_(readField("p_rgh", mesh), mesh),
     U_(readField("U", mesh), mesh),
@@ -115,6 +121,7 @@ Foam::freeSurfaceFlow::freeSurfaceFlow(dynamicFvMesh& mesh)
       ? new surfaceVectorField(restart::field("Uf", mesh), fvc::interpolate(U_))
       : nullptr
     ),
+    backward_(backwardDifference::isWanted(mesh) ? new backwardDifference(composite_, U_) : nullptr),
     mixture_(U_, phi_),
     interface_
     (

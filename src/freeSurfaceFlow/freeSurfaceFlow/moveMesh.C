@@ -42,12 +42,17 @@ void Foam::freeSurfaceFlow::moveMesh()
     addProfiling(mesh, "mesh motion");
 
     const meshControls c = controls();
-    if (!(pimple_.firstIter() || c.moveMeshOuterCorrectors))
+    const bool first = pimple_.firstIter();
+    if (!(first || c.moveMeshOuterCorrectors))
     {
+        if (backward_)
+        {
+            backward_->moveToMiddle(phi_, first);
+        }
         return;
     }
 
-    const bool isNew = pimple_.firstIter() && nRepeats_ == 0;
+    const bool isNew = first && nRepeats_ == 0;
     if (addedMass_ && isNew && addedMass_->isDue())
     {
         addedMass_->solve(rho_, p_rgh_, potentialTypes(), pimple_.nNonOrthCorr(), pRefCell_);
@@ -55,6 +60,10 @@ void Foam::freeSurfaceFlow::moveMesh()
     if (body_ && isNew)
     {
         body_->startStep();
+        if (history_)
+        {
+            history_->startStep();
+        }
     }
     if (repeats_)
     {
@@ -73,11 +82,19 @@ void Foam::freeSurfaceFlow::moveMesh()
     if (Uf_)
     {
         composite_.storeOldTimes(Uf_());
+        if (backward_)
+        {
+            Uf_().oldTime();
+        }
     }
     mesh_.update();
 
     if (!mesh_.changing())
     {
+        if (backward_)
+        {
+            backward_->moveToMiddle(phi_, first);
+        }
         return;
     }
     cellShapes_.clear();
@@ -102,14 +119,22 @@ void Foam::freeSurfaceFlow::moveMesh()
     {
         composite_.setUncovered(Uf_(), U_);
         phi_ = mesh_.Sf() & Uf_();
+        if (backward_)
+        {
+            phi_ += mesh_.Sf() & backward_->velocityToMiddle();
+        }
         if (c.correctPhi)
         {
             projectFlux();
         }
         composite_.mask(phi_);
         composite_.mask(U_);
-        fvc::makeRelative(phi_, U_);
+        phi_ -= meshFlux();
         scheme_->meshMoved();
+    }
+    else if (backward_)
+    {
+        backward_->moveToMiddle(phi_, first);
     }
 }
 

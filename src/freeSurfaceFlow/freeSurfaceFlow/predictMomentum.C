@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "freeSurfaceFlow.H"
+#include "EulerDdtScheme.H"
 #include "fvc.H"
 #include "fvm.H"
 #include "profiling.H"
@@ -39,9 +40,19 @@ void Foam::freeSurfaceFlow::predictMomentum()
 
     correctorTerms_.clear();
     setBodyForces();
+    tmp<surfaceScalarField> trhoPhi(rhoPhi_);
+    if (backward_)
+    {
+        trhoPhi = backward_->massFlux(rho_, rhoPhi_);
+        if (pimple_.firstIter())
+        {
+            backward_->extrapolate(U_);
+        }
+    }
+    const surfaceScalarField& rhoPhi = trhoPhi();
     UEqn_ = tmp<fvVectorMatrix>
     (
-        fvm::ddt(rho_, U_) + fvm::div(rhoPhi_, U_)
+        (backward_ ? backward_->ddt(rho_, U_) : fvm::ddt(rho_, U_)) + fvm::div(rhoPhi, U_)
       + MRF_.DDt(rho_, U_)
       + turbulence_->divDevRhoReff(rho_, U_)
      ==
@@ -49,7 +60,16 @@ void Foam::freeSurfaceFlow::predictMomentum()
     );
     fvVectorMatrix& UEqn = UEqn_.ref();
 
-    composite_.takeOutMassError(UEqn, rho_, rhoPhi_);
+    // Where mass is not conserved, which is in the fringe of an overset mesh and where momentum has a flux of its own, take out
+    // what that would drag in
+    if (backward_)
+    {
+        UEqn -= fvm::Sp(fv::EulerDdtScheme<scalar>(mesh_).fvcDdt(rho_) + fvc::div(rhoPhi), U_);
+    }
+    else if (composite_.isOverset())
+    {
+        UEqn -= fvm::Sp(fvc::ddt(rho_) + fvc::div(rhoPhi), U_);
+    }
 
     UEqn.relax();
     fvOptions_.constrain(UEqn);

@@ -28,33 +28,31 @@ Foam::wordList Foam::freeSurfaceFlow::potentialTypes() const
 }
 
 
+Foam::tmp<Foam::surfaceScalarField> Foam::freeSurfaceFlow::meshFlux() const
+{
+    if (!mesh_.moving())
+    {
+        return tmp<surfaceScalarField>::New("meshFlux", 0*phi_);
+    }
+    return backward_ ? tmp<surfaceScalarField>(mesh_.phi()) : fvc::meshPhi(U_);
+}
+
+
 void Foam::freeSurfaceFlow::projectFlux()
 {
-    if (!composite_.isOverset())
-    {
-        const dimensionedScalar one("one", dimTime/dimDensity, 1);
-        if (rAU_.valid())
-        {
-            CorrectPhi
-            (
-                U_,
-                phi_,
-                p_rgh_,
-                surfaceScalarField("rAUf", fvc::interpolate(rAU_())),
-                geometricZeroField(),
-                pimple_
-            );
-        }
-        else
-        {
-            CorrectPhi(U_, phi_, p_rgh_, one, geometricZeroField(), pimple_);
-        }
-        printContinuityError();
-        return;
-    }
-
-    // Each zone by itself: the fluxes of the fringe are given
     correctUphiBCs(U_, phi_);
+    if (backward_ && mesh_.moving())
+    {
+        // The velocity of a wall is that of the end of the step
+        const surfaceScalarField atEnd(fvc::meshPhi(U_));
+        forAll(U_.boundaryField(), patchi)
+        {
+            if (U_.boundaryField()[patchi].fixesValue())
+            {
+                phi_.boundaryFieldRef()[patchi] += mesh_.phi().boundaryField()[patchi] - atEnd.boundaryField()[patchi];
+            }
+        }
+    }
 
     volScalarField pcorr
     (
@@ -67,19 +65,38 @@ void Foam::freeSurfaceFlow::projectFlux()
 
     if (pcorr.needReference())
     {
-        fvc::makeRelative(phi_, U_);
+        const tmp<surfaceScalarField> tmeshFlux(meshFlux());
+        phi_ -= tmeshFlux();
         adjustPhi(phi_, U_, pcorr);
-        fvc::makeAbsolute(phi_, U_);
+        phi_ += tmeshFlux();
     }
 
+    // On a single mesh with the coefficient of the pressure, if it is kept
+    tmp<surfaceScalarField> trAUf;
+    if (rAU_.valid())
+    {
+        trAUf = fvc::interpolate(rAU_());
+    }
     while (pimple_.correctNonOrthogonal())
     {
         fvScalarMatrix pcorrEqn
         (
-            fvm::laplacian(dimensionedScalar("one", dimTime/dimDensity, 1), pcorr)
+            (
+                trAUf.valid()
+              ? fvm::laplacian(trAUf(), pcorr)
+              : fvm::laplacian(dimensionedScalar("one", dimTime/dimDensity, 1), pcorr)
+            )
          == fvc::div(phi_)
         );
-        composite_.setReferences(pcorrEqn);
+        if (composite_.isOverset())
+        {
+            // Each zone by itself: the fluxes of the fringe are given
+            composite_.setReferences(pcorrEqn);
+        }
+        else
+        {
+            pcorrEqn.setReference(0, 0);
+        }
 
         // fvMesh's own: without the interpolation between the zones
         mesh_.fvMesh::solve
@@ -92,6 +109,10 @@ void Foam::freeSurfaceFlow::projectFlux()
         {
             phi_ -= pcorrEqn.flux();
         }
+    }
+    if (!composite_.isOverset())
+    {
+        printContinuityError();
     }
 }
 

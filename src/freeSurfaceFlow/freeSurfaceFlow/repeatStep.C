@@ -21,16 +21,18 @@ constexpr Foam::scalar light = 0.9;
 } // End anonymous namespace
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-bool Foam::freeSurfaceFlow::repeatStep()
+bool Foam::freeSurfaceFlow::breaksNewtonsLaw()
 {
-    if (!body_ || body_->isPrescribed())
+    if (body_->isPrescribed())
     {
         return false;
     }
     const scalar heaviest = max(mixture_.rho1(), mixture_.rho2()).value();
-    if (body_->mass() > light*heaviest*mag(body_->enclosedVolume()))
+    // In the first step no load is known: its error would stay in the velocity
+    const bool isFirst = history_ && history_->now().number == 1;
+    if (!isFirst && body_->mass() > light*heaviest*mag(body_->enclosedVolume()))
     {
         return false;
     }
@@ -80,6 +82,26 @@ bool Foam::freeSurfaceFlow::repeatStep()
             worstBalance_ = missing;
             worstTime_ = time_.value();
         }
+    }
+    return false;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::freeSurfaceFlow::repeatStep()
+{
+    if (body_ && breaksNewtonsLaw())
+    {
+        return true;
+    }
+    if (history_)
+    {
+        body_->endStep(history_(), time_.deltaTValue());
+    }
+    if (backward_)
+    {
+        backward_->endStep(phi_, Uf_);
     }
     return false;
 }

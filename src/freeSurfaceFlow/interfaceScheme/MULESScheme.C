@@ -2,6 +2,7 @@
 
 #include "MULESScheme.H"
 #include "addToRunTimeSelectionTable.H"
+#include "backwardDdtScheme.H"
 #include "CMULES.H"
 #include "CrankNicolsonDdtScheme.H"
 #include "EulerDdtScheme.H"
@@ -57,6 +58,11 @@ Foam::scalar Foam::interfaceSchemes::MULES::offCentring() const
         return 0;
     }
 
+    if (isType<fv::backwardDdtScheme<scalar>>(scheme()))
+    {
+        return 1;
+    }
+
     if (isType<fv::CrankNicolsonDdtScheme<scalar>>(scheme()))
     {
         if (controls().get<label>("nAlphaSubCycles") > 1)
@@ -85,16 +91,36 @@ Foam::scalar Foam::interfaceSchemes::MULES::offCentring() const
     (
         mesh_.schemesDict().subDict("ddtSchemes"),
         text("Entry ddt(alpha) (or default) is ", scheme().type()),
-        "Euler, localEuler or CrankNicolson for the interface scheme MULES."
+        "Euler, localEuler, backward or CrankNicolson for the interface scheme MULES."
     );
     return 0;
+}
+
+
+bool Foam::interfaceSchemes::MULES::isBackward() const
+{
+    return word(mesh_.ddtScheme("ddt(alpha)")) == fv::backwardDdtScheme<scalar>::typeName;
+}
+
+
+bool Foam::interfaceSchemes::MULES::isUniform() const
+{
+    scalar least = gMin(alpha1_.primitiveField());
+    scalar most = gMax(alpha1_.primitiveField());
+    for (const fvPatchScalarField& p : alpha1_.boundaryField())
+    {
+        least = min(least, gMin(p));
+        most = max(most, gMax(p));
+    }
+    return least == most;
 }
 
 
 Foam::tmp<Foam::surfaceScalarField>
 Foam::interfaceSchemes::MULES::centredPhi(const scalar cn) const
 {
-    if (cn == 1)
+    // With backward it is that of the middle of the step already
+    if (cn == 1 || isBackward())
     {
         return f_.phi;
     }
@@ -217,6 +243,12 @@ void Foam::interfaceSchemes::MULES::advance()
 
     const tmp<surfaceScalarField> tphi(centredPhi(cn));
     const surfaceScalarField& phi = tphi();
+
+    if (isUniform())
+    {
+        alphaPhi_ = phi*fvc::interpolate(alpha1_);
+        return;
+    }
 
     const surfaceScalarField phic(compression(c));
 
@@ -344,6 +376,7 @@ void Foam::interfaceSchemes::MULES::advect()
     (
         scheme == fv::EulerDdtScheme<vector>::typeName
      || scheme == fv::localEulerDdtScheme<vector>::typeName
+     || scheme == fv::backwardDdtScheme<vector>::typeName
     )
     {
         setRhoPhi(centredPhi(cn)());

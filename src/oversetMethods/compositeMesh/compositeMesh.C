@@ -147,6 +147,15 @@ void Foam::compositeMesh::setInterpolations()
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+void Foam::compositeMesh::maskOld(surfaceScalarField& field) const
+{
+    if (isOverset())
+    {
+        field *= masks_->faceOld;
+    }
+}
+
+
 void Foam::compositeMesh::mask(volVectorField& field) const
 {
     if (isOverset())
@@ -209,20 +218,6 @@ void Foam::compositeMesh::setUncovered(surfaceVectorField& Uf, const volVectorFi
         {
             Uf.boundaryFieldRef()[patchi] = Uint.boundaryField()[patchi];
         }
-    }
-}
-
-
-void Foam::compositeMesh::takeOutMassError
-(
-    fvVectorMatrix& UEqn,
-    const volScalarField& rho,
-    const surfaceScalarField& rhoPhi
-) const
-{
-    if (isOverset())
-    {
-        UEqn -= fvm::Sp(fvc::ddt(rho) + fvc::div(rhoPhi), UEqn.psi());
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include "plungeTrajectory.H"
 #include "addToRunTimeSelectionTable.H"
+#include "bodyHistory.H"
 #include "gravityMeshObject.H"
 #include "whileRunning.H"
 
@@ -65,7 +66,13 @@ bool Foam::functionObjects::plungeTrajectory::execute()
         return true;
     }
     const vector v(body_.velocity());
-    writeLine((v - lastVelocity_)/(t - lastTime_));
+    const bodyHistory* history = body_.history();
+    writeLine
+    (
+        history
+      ? history->difference(history->now().centreChange, history->last().centreChange, history->now().deltaT)
+      : vector((v - lastVelocity_)/(t - lastTime_))
+    );
     lastVelocity_ = v;
     lastTime_ = t;
     return true;

@@ -3,6 +3,7 @@
 #include "addedMass.H"
 #include "addedMassTensor.H"
 #include "addToRunTimeSelectionTable.H"
+#include "bodyHistory.H"
 #include "bodyInertia.H"
 #include "inputChecks.H"
 #include "scalarMatrices.H"
@@ -206,7 +207,7 @@ Foam::scalarField Foam::sixDoFSolvers::addedMass::loads(const vector& fGlobal, c
 
     const vector omega(inv(body_.momentOfInertia()) & pi());
     const vector force(body_.mass()*((Q().T() & a()) - (omega ^ (omega ^ arm()))));
-    return joined(force, tumbles() ? tau() - (omega ^ (inertia() & omega)) : tau());
+    return joined(force, tumbles() || history() ? tau() - (omega ^ (inertia() & omega)) : tau());
 }
 
 
@@ -254,6 +255,106 @@ Foam::sixDoFSolvers::addedMass::turned(const vector& omega, const scalar deltaT)
 }
 
 
+Foam::bodyHistory* Foam::sixDoFSolvers::addedMass::history() const
+{
+    return body_.time().getObjectPtr<bodyHistory>(bodyHistory::registryName);
+}
+
+
+void Foam::sixDoFSolvers::addedMass::forget()
+{
+    learned_ = matrix(6, 6, Zero);
+    loadsBefore_.clear();
+}
+
+
+void Foam::sixDoFSolvers::addedMass::correctChange
+(
+    const SquareMatrix<scalar>& M,
+    const SquareMatrix<scalar>& estimated,
+    const SquareMatrix<scalar>& free,
+    const scalarField& now
+)
+{
+    if (loadsBefore_.size())
+    {
+        const scalarField difference(change_ - changeBefore_);
+        const scalarField weight(times(M, difference));
+        const scalar size = sumProd(difference, weight);
+        if (size > 1e-20*sumProd(change_, times(M, change_)))
+        {
+            const scalarField missed(loadsBefore_ - now - times(estimated + learned_, difference));
+            for (label k = 0; k < 36; ++k)
+            {
+                learned_(k/6, k % 6) += missed[k/6]*weight[k % 6]/size;
+            }
+        }
+    }
+    loadsBefore_ = now;
+    changeBefore_ = change_;
+    change_ += solved(M + estimated + learned_, now - times(M, change_), free);
+}
+
+
+void Foam::sixDoFSolvers::addedMass::solveBackward
+(
+    const bool firstIter,
+    bodyHistory& history,
+    const SquareMatrix<scalar>& M,
+    const SquareMatrix<scalar>& estimated,
+    const SquareMatrix<scalar>& free,
+    const scalarField& last,
+    const scalarField& now,
+    const scalar deltaT
+)
+{
+    if (firstIter)
+    {
+        forget();
+        const bodyHistory::step& before = history.last();
+
+        // Loads of the end of the step, and what they give it, on a line through the last two. Before its first step a flow has no pressure
+        const scalar ahead = before.number > 1 ? deltaT/before.deltaT : 0;
+        const scalarField acceleration(last + ahead*(last - before.acceleration));
+        change_ = solved(M + estimated, now + ahead*(now - before.loads) + times(estimated, acceleration), free);
+        history.now().loads = now;
+        history.now().acceleration = last;
+    }
+    else
+    {
+        correctChange(M, estimated, free, now);
+    }
+
+    const bodyHistory::step& before = history.last();
+    const bool isFirst = !(before.deltaT > 0);
+    const scalar b = history.weight(deltaT);
+    const diagTensor& I = body_.momentOfInertia();
+    bodyHistory::step& s = history.now();
+    const auto meanOf = [&](const vector& start, const vector& end, const vector& lastMean)
+    {
+        return isFirst ? vector(0.5*(start + end)) : vector((end + b*lastMean)/(1 + b));
+    };
+
+    const vector omega0(inv(I) & pi0());
+    const vector omega
+    (
+        rConstraints() & (omega0 + deltaT/(1 + b)*(aDamp()*second(change_) + b*before.spinChange))
+    );
+    s.spinChange = (omega - omega0)/deltaT;
+    s.meanSpin = meanOf(omega0, omega, before.meanSpin);
+    Q() = Q0() & rotation(deltaT*s.meanSpin);
+    pi() = I & omega;
+    tau() = I & (rConstraints() & second(change_));
+
+    // In the axes of the end of the step
+    a() = tConstraints() & Q() & first(change_);
+    v() = tConstraints() & (v0() + deltaT/(1 + b)*(aDamp()*a() + b*before.velocityChange));
+    s.velocityChange = (v() - v0())/deltaT;
+    s.meanVelocity = meanOf(v0(), v(), before.meanVelocity);
+    centreOfRotation() = centreOfRotation0() + deltaT*(tConstraints() & s.meanVelocity);
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::sixDoFSolvers::addedMass::solve
@@ -279,6 +380,13 @@ void Foam::sixDoFSolvers::addedMass::solve
     }
     const matrix estimated(estimate(isFree));
 
+    const scalarField last(joined(axes.T() & a0(), inv(I) & tau0()));
+    if (bodyHistory* h = history())
+    {
+        solveBackward(firstIter, *h, M, estimated, free, last, loads(fGlobal, tauGlobal), deltaT);
+        return;
+    }
+
     // The square of the body's own share in what it accelerates
     matrix share(6, 6, Zero);
     for (label k = 0; k < 6; ++k)
@@ -293,37 +401,18 @@ void Foam::sixDoFSolvers::addedMass::solve
             share(j, k) = column[j];
         }
     }
-
-    const scalarField last(joined(axes.T() & a0(), inv(I) & tau0()));
     const matrix carried((sumSqr(last) > 0 ? 0.5*deltaT0/deltaT : 0)*share);
     const scalarField now(loads(fGlobal, tauGlobal));
     scalarField s;
     if (firstIter)
     {
-        learned_ = matrix(6, 6, Zero);
-        loadsBefore_.clear();
+        forget();
         s = solved(M + estimated, now + times(estimated, last), free);
         change_ = s + times(carried, s - last);
     }
     else
     {
-        if (loadsBefore_.size())
-        {
-            const scalarField difference(change_ - changeBefore_);
-            const scalarField weight(times(M, difference));
-            const scalar size = sumProd(difference, weight);
-            if (size > 1e-20*sumProd(change_, times(M, change_)))
-            {
-                const scalarField missed(loadsBefore_ - now - times(estimated + learned_, difference));
-                for (label k = 0; k < 36; ++k)
-                {
-                    learned_(k/6, k % 6) += missed[k/6]*weight[k % 6]/size;
-                }
-            }
-        }
-        loadsBefore_ = now;
-        changeBefore_ = change_;
-        change_ += solved(M + estimated + learned_, now - times(M, change_), free);
+        correctChange(M, estimated, free, now);
         s = change_ + times(carried, last);
         matrix system(carried);
         for (label k = 0; k < 6; ++k)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "bodyHistory.H"
 #include "bodyInertia.H"
 #include "bodyMotion.H"
 #include "sixDoFRigidBodyMotionRestraint.H"
@@ -32,11 +33,26 @@ Foam::bodyLoads Foam::bodyMotion::restraintLoads() const
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+const Foam::bodyHistory* Foam::bodyMotion::history() const
+{
+    return mesh_.time().findObject<bodyHistory>(bodyHistory::registryName);
+}
+
+
 void Foam::bodyMotion::startStep()
 {
     startVelocity_ = velocity();
     startAngularMomentum_ = angularMomentum();
     startRestraints_ = restraintLoads();
+}
+
+
+void Foam::bodyMotion::endStep(bodyHistory& history, const scalar deltaT) const
+{
+    bodyHistory::step& s = history.now();
+    s.deltaT = deltaT;
+    s.centreChange = (velocity() - startVelocity_)/deltaT;
+    s.momentChange = (angularMomentum() - startAngularMomentum_)/deltaT;
 }
 
 
@@ -47,8 +63,18 @@ Foam::scalar Foam::bodyMotion::imbalance(const scalar deltaT) const
     const auto* g = mesh_.time().findObject<uniformDimensionedVectorField>("g");
     const vector weight(g ? mass()*g->value() : vector(Zero));
 
-    const vector force(flow.pressure + flow.viscous + weight + 0.5*(held.pressure + startRestraints_.pressure));
-    const vector change(mass()*(velocity() - startVelocity_)/deltaT);
+    // Restraints act at the end of a step of second order, and from its start to its end in others
+    const bodyHistory* past = history();
+    const scalar start = past ? 0 : 0.5;
+    const vector force(flow.pressure + flow.viscous + weight + (1 - start)*held.pressure + start*startRestraints_.pressure);
+    vector change((velocity() - startVelocity_)/deltaT);
+    vector turn((angularMomentum() - startAngularMomentum_)/deltaT);
+    if (past)
+    {
+        change = past->difference(change, past->last().centreChange, deltaT);
+        turn = past->difference(turn, past->last().momentChange, deltaT);
+    }
+    change *= mass();
 
     // About the centre of rotation
     const vector arm(motion_.momentArm());
@@ -56,9 +82,9 @@ Foam::scalar Foam::bodyMotion::imbalance(const scalar deltaT) const
     const tensor freeMoments(Q & freeMoments_ & Q.T());
     const vector moment
     (
-        freeMoments & (flow.moment + 0.5*(held.moment + startRestraints_.moment) + (arm ^ force))
+        freeMoments & (flow.moment + (1 - start)*held.moment + start*startRestraints_.moment + (arm ^ force))
     );
-    const vector spin(freeMoments & ((angularMomentum() - startAngularMomentum_)/deltaT + (arm ^ change)));
+    const vector spin(freeMoments & (turn + (arm ^ change)));
 
     // Of a body that nothing accelerates only round-off is there to compare
     const scalar total = mag(flow.pressure + flow.viscous) + mag(weight);
