@@ -87,13 +87,13 @@ def _ratio(length: float, cells: int) -> float:
     return low**(cells - 1)
 
 
-def solve(run: Path, cells: int, compression: int, end: float = END) -> None:
-    """cells per radius at the surface; compression: cAlpha."""
+def solve(run: Path, cells: int, compression: int, end: float = END, step: float = 1) -> None:
+    """cells per radius at the surface; compression: cAlpha; step: over the usual time step."""
     def make() -> None:
         shutil.copytree(CASE, run)
         shutil.copytree(run / "0.orig", run / "0")
         (run / "system/blockMeshDict").write_text(blocks(cells))
-        (run / "system/parameters").write_text(f"mass {MASS*WEDGE/360};\nheight {HEIGHT};\nend {end};\nframeInterval 1;\nstep {0.5/cells};\n"
+        (run / "system/parameters").write_text(f"mass {MASS*WEDGE/360};\nheight {HEIGHT};\nend {end};\nframeInterval 1;\nstep {0.5/cells*step};\n"
                                                 f"cAlpha {compression};\n")
         call(run, "blockMesh")
         call(run, "setAlphaField")
