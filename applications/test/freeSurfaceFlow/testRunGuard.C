@@ -78,6 +78,8 @@ protected:
 
     int toldOfSolvers(const label nSteps, const std::function<scalar(label)>& residual)
     {
+        // Of a uniform field residuals say nothing
+        p_rgh[0] = 1;
         return told
         (
             "\nRun\n    Note: p_rgh was not solved: its solver PCG stopped after 7 iterations",

@@ -271,7 +271,7 @@ Foam::freeSurfaceFlow::freeSurfaceFlow(dynamicFvMesh& mesh)
 
 void Foam::freeSurfaceFlow::check()
 {
-    restart::check(mesh_, scene_.hasBody());
+    restart::check(mesh_, scene_.hasBody(), backward_.valid(), history_.valid());
     checkFluids();
     checkCorrections();
 

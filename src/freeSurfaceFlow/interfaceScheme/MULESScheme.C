@@ -105,13 +105,16 @@ bool Foam::interfaceSchemes::MULES::isBackward() const
 
 bool Foam::interfaceSchemes::MULES::isUniform() const
 {
-    scalar least = gMin(alpha1_.primitiveField());
-    scalar most = gMax(alpha1_.primitiveField());
+    // Processors have different numbers of patches
+    MinMax<scalar> range(minMax(alpha1_.primitiveField()));
     for (const fvPatchScalarField& p : alpha1_.boundaryField())
     {
-        least = min(least, gMin(p));
-        most = max(most, gMax(p));
+        range.add(minMax(p));
     }
+    scalar least = range.min();
+    scalar most = range.max();
+    reduce(least, minOp<scalar>());
+    reduce(most, maxOp<scalar>());
     return least == most;
 }
 

@@ -10,6 +10,7 @@
 #include "OSspecific.H"
 #include "PstreamReduceOps.H"
 #include "surfaceFields.H"
+#include "volFields.H"
 
 #include <cmath>
 
@@ -92,7 +93,7 @@ void Foam::restart::begin(Time& time)
 }
 
 
-void Foam::restart::check(const fvMesh& mesh, const bool hasBody)
+void Foam::restart::check(const fvMesh& mesh, const bool hasBody, const bool isBackward, const bool hasHistory)
 {
     const Time& time = mesh.time();
     if (mag(time.value()) < SMALL)
@@ -116,6 +117,17 @@ void Foam::restart::check(const fvMesh& mesh, const bool hasBody)
     {
         (returnReduce(isThere, andOp<bool>()) ? there : missing).append(name);
     };
+    const auto refuseParts = [&]
+    {
+        if (there.size() && missing.size())
+        {
+            FatalErrorInFunction
+                << "Time " << time.timeName() << " was written by a run, but lacks " << flatOutput(missing) << nl
+                << "Expected: beside " << flatOutput(there) << " all that the run goes on from. Remove the directory "
+                << time.timeName() << " to go on from the time before, or these files, too, to begin anew with its fields;"
+                << " decomposePar takes uniform along with -copyUniform." << exit(FatalError);
+        }
+    };
     sort("phi", flux("phi", true));
     sort("uniform/time", state("time", time));
     const auto* moved = dynamic_cast<const dynamicFvMesh*>(&mesh);
@@ -133,13 +145,25 @@ void Foam::restart::check(const fvMesh& mesh, const bool hasBody)
         sort("uniform/sixDoFRigidBodyMotionState", state("sixDoFRigidBodyMotionState", mesh));
     }
 
-    if (there.size() && missing.size())
+    refuseParts();
+
+    // A run with another time scheme leaves none of these: the first step is then Euler's
+    if (isBackward)
     {
-        FatalErrorInFunction
-            << "Time " << time.timeName() << " was written by a run, but lacks " << flatOutput(missing) << nl
-            << "Expected: beside " << flatOutput(there) << " all that the run goes on from. Remove the directory "
-            << time.timeName() << " to go on from the time before, or these files, too, to begin anew with its fields;"
-            << " decomposePar takes uniform along with -copyUniform." << exit(FatalError);
+        there.clear();
+        missing.clear();
+        sort("phi_0", flux("phi_0", true));
+        sort("U_0", IOobject("U_0", time.timeName(), mesh).typeHeaderOk<volVectorField>(true));
+        sort("ddtSteady", IOobject("ddtSteady", time.timeName(), mesh).typeHeaderOk<volScalarField>(true));
+        if (moved && moved->dynamic())
+        {
+            sort("Uf_0", flux("Uf_0", false));
+        }
+        if (hasHistory)
+        {
+            sort("uniform/bodyHistory", state("bodyHistory", time));
+        }
+        refuseParts();
     }
 }
 

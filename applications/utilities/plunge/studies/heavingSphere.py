@@ -9,7 +9,7 @@ from typing import Dict, Tuple
 import numpy as np
 
 from plunge.results import gather
-from plunge.studies.particleRuns import call, isComplete
+from plunge.studies.particleRuns import call, isComplete, override
 from plunge.studies.scenes import once
 from plunge.studies.signals import Signal
 from plunge.studies.study import STUDIES
@@ -87,14 +87,15 @@ def _ratio(length: float, cells: int) -> float:
     return low**(cells - 1)
 
 
-def solve(run: Path, cells: int, compression: int, end: float = END, step: float = 1) -> None:
-    """cells per radius at the surface; compression: cAlpha; step: over the usual time step."""
+def solve(run: Path, cells: int, compression: int, end: float = END, step: float = 1, scheme: str = "backward") -> None:
+    """cells per radius at the surface; compression: cAlpha; step: over the usual time step; scheme: ddtSchemes."""
     def make() -> None:
         shutil.copytree(CASE, run)
         shutil.copytree(run / "0.orig", run / "0")
         (run / "system/blockMeshDict").write_text(blocks(cells))
         (run / "system/parameters").write_text(f"mass {MASS*WEDGE/360};\nheight {HEIGHT};\nend {end};\nframeInterval 1;\nstep {0.5/cells*step};\n"
                                                 f"cAlpha {compression};\n")
+        override(run, "system/fvSchemes", f"ddtSchemes {{ default {scheme}; }}")
         call(run, "blockMesh")
         call(run, "setAlphaField")
 

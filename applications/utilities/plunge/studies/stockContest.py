@@ -26,7 +26,7 @@ PROFILED = {CONTROL: "profiling { active true; }"}
 AS_OURS = {
     **AS_STOCK,
     CONTROL: "application overInterDyMFoam; libs (overset fvMotionSolvers rigidBody plungeFunctionObjects);",
-    "system/fvSchemes": f"oversetInterpolation {{ {STOCK_STENCIL} }}",
+    "system/fvSchemes": f"ddtSchemes {{ default Euler; }} oversetInterpolation {{ {STOCK_STENCIL} }}",
 }
 AS_TUTORIAL = {**AS_OURS, "system/fvSolution": "PIMPLE { momentumPredictor no; nCorrectors 3; }"}
 QUARTER_STEPS = {**AS_STOCK, CONTROL: "maxCo 0.25; maxAlphaCo 0.125; maxDeltaT 2.5e-5;"}
