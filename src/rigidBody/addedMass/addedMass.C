@@ -326,13 +326,13 @@ void Foam::sixDoFSolvers::addedMass::solveBackward
     }
 
     const bodyHistory::step& before = history.last();
-    const bool isFirst = !(before.deltaT > 0);
     const scalar b = history.weight(deltaT);
     const diagTensor& I = body_.momentOfInertia();
     bodyHistory::step& s = history.now();
-    const auto meanOf = [&](const vector& start, const vector& end, const vector& lastMean)
+    // In the first step it is the velocity of the end, which is that of the wall to the flow
+    const auto meanOf = [&](const vector& end, const vector& lastMean)
     {
-        return isFirst ? vector(0.5*(start + end)) : vector((end + b*lastMean)/(1 + b));
+        return vector((end + b*lastMean)/(1 + b));
     };
 
     const vector omega0(inv(I) & pi0());
@@ -341,7 +341,7 @@ void Foam::sixDoFSolvers::addedMass::solveBackward
         rConstraints() & (omega0 + deltaT/(1 + b)*(aDamp()*second(change_) + b*before.spinChange))
     );
     s.spinChange = (omega - omega0)/deltaT;
-    s.meanSpin = meanOf(omega0, omega, before.meanSpin);
+    s.meanSpin = meanOf(omega, before.meanSpin);
     Q() = Q0() & rotation(deltaT*s.meanSpin);
     pi() = I & omega;
     tau() = I & (rConstraints() & second(change_));
@@ -350,7 +350,7 @@ void Foam::sixDoFSolvers::addedMass::solveBackward
     a() = tConstraints() & Q() & first(change_);
     v() = tConstraints() & (v0() + deltaT/(1 + b)*(aDamp()*a() + b*before.velocityChange));
     s.velocityChange = (v() - v0())/deltaT;
-    s.meanVelocity = meanOf(v0(), v(), before.meanVelocity);
+    s.meanVelocity = meanOf(v(), before.meanVelocity);
     centreOfRotation() = centreOfRotation0() + deltaT*(tConstraints() & s.meanVelocity);
 }
 
