@@ -231,16 +231,41 @@ def test_goodInput(case: str, cases: Dict[str, Path]) -> None:
 # --- restarts ------------------------------------------------------------------
 
 
-@pytest.fixture(scope="module")
-def written(cases: Dict[str, Path]) -> Path:
+def writes(cases: Dict[str, Path], name: str, scheme: str) -> Path:
     """A run of a body on an overset mesh that has written a time."""
-    case = copy(cases["floatingBody"], "written")
+    case = copy(cases["floatingBody"], name)
+    setEntry(case, "system/fvSchemes", "ddtSchemes/default", scheme)
     setEntry(case, "system/controlDict", "writeControl", "timeStep")
     setEntry(case, "system/controlDict", "writeInterval", 1)
     foam("plungeFoam", case=case, log="log.solver")
     setEntry(case, "system/controlDict", "startFrom", "latestTime")
     setEntry(case, "system/controlDict", "endTime", 0.002)
     return case
+
+
+@pytest.fixture(scope="module")
+def written(cases: Dict[str, Path]) -> Path:
+    return writes(cases, "written", "Euler")
+
+
+@pytest.fixture(scope="module")
+def writtenBackward(cases: Dict[str, Path]) -> Path:
+    return writes(cases, "writtenBackward", "backward")
+
+
+@pytest.mark.parametrize("lost", ["U_0", "phi_0", "Uf_0", "ddtSteady"])
+def test_restartOfSecondOrderWithoutAFile(lost: str, writtenBackward: Path) -> None:
+    case = copy(writtenBackward, f"without-{lost}")
+    (case / "0.001" / lost).unlink()
+    checkRefused("plungeFoam", case, ("0.001", "lacks", lost, "Expected"))
+
+
+def test_restartOfSecondOrder(writtenBackward: Path, written: Path) -> None:
+    """With all files, and with none, as after a run with Euler's steps."""
+    assert steps(foam("plungeFoam", case=copy(writtenBackward, "wholeBackward"), log="log.solver")) == ["0.002"]
+    case = copy(written, "fromEuler")
+    setEntry(case, "system/fvSchemes", "ddtSchemes/default", "backward")
+    assert steps(foam("plungeFoam", case=case, log="log.solver")) == ["0.002"]
 
 
 @pytest.mark.parametrize("lost", ["polyMesh", "uniform", "uniform/sixDoFRigidBodyMotionState", "uniform/time", "phi", "Uf"])

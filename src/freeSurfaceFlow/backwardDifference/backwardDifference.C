@@ -205,11 +205,17 @@ void Foam::backwardDifference::endStep
     const autoPtr<surfaceVectorField>& Uf
 ) const
 {
-    U_.oldTime().oldTime();
-    phi.oldTime().oldTime();
+    // Also of the first step, which a restart goes on from as from any other
+    const auto keep = [](const auto& field)
+    {
+        field.oldTime().oldTime();
+        const_cast<IOobject&>(static_cast<const IOobject&>(field.oldTime())).writeOpt() = IOobject::AUTO_WRITE;
+    };
+    keep(U_);
+    keep(phi);
     if (Uf)
     {
-        Uf().oldTime().oldTime();
+        keep(Uf());
     }
 }
 
