@@ -6,6 +6,7 @@
 #include "fvc.H"
 #include "fvm.H"
 #include "localMin.H"
+#include "oversetFvPatch.H"
 #include "restart.H"
 #include "zeroGradientFvPatchFields.H"
 
@@ -64,12 +65,16 @@ bool Foam::backwardDifference::isWanted(const fvMesh& mesh)
 
 Foam::tmp<Foam::surfaceVectorField> Foam::backwardDifference::velocityToMiddle()
 {
-    tmp<surfaceVectorField> tchange
-    (
-        hasPast()
-      ? half()*fvc::interpolate(U_.oldTime() - U_.oldTime().oldTime())
-      : 0*fvc::interpolate(U_)
-    );
+    volVectorField change("change", hasPast() ? half()*(U_.oldTime() - U_.oldTime().oldTime()) : 0*U_);
+    for (fvPatchVectorField& p : change.boundaryFieldRef())
+    {
+        // Of an overset boundary a restart knows the cells alone
+        if (isA<oversetFvPatch>(p.patch()))
+        {
+            p == p.patchInternalField();
+        }
+    }
+    tmp<surfaceVectorField> tchange(fvc::interpolate(change));
     // With that of the mesh, whose flux is the mean of the step
     toEnd_ = (mesh_.Sf() & tchange()) - (fvc::meshPhi(U_) - mesh_.phi());
     for (fvsPatchScalarField& p : toEnd_.ref().boundaryFieldRef())
