@@ -7,6 +7,7 @@
 #include "fvm.H"
 #include "localMin.H"
 #include "oversetFvPatch.H"
+#include "processorFvPatch.H"
 #include "restart.H"
 #include "zeroGradientFvPatchFields.H"
 
@@ -190,8 +191,19 @@ Foam::tmp<Foam::surfaceScalarField> Foam::backwardDifference::ddtCorr
     if (hasPast())
     {
         const surfaceScalarField faceShare(localMin<scalar>(mesh_).interpolate(share()));
-        scalarField& factor = tfactor.ref().primitiveFieldRef();
-        factor += faceShare.primitiveField()*(1 - factor);
+        const auto keep = [](scalarField& factor, const scalarField& share)
+        {
+            factor += share*(1 - factor);
+        };
+        surfaceScalarField& factor = tfactor.ref();
+        keep(factor.primitiveFieldRef(), faceShare.primitiveField());
+        forAll(faceShare.boundaryField(), patchi)
+        {
+            if (isA<processorFvPatch>(mesh_.boundary()[patchi]))
+            {
+                keep(factor.boundaryFieldRef()[patchi], faceShare.boundaryField()[patchi]);
+            }
+        }
         tkept =
             excess0
           + weight()*faceShare
