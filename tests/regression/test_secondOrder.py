@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from plunge.results import gather
-from plunge.studies import heavingSphere
+from plunge.studies import heavingSphere, planeBody
 from tutorials import foam
 
 
@@ -25,6 +25,16 @@ def test_heavingSphere(tmp_path: Path) -> None:
         heavingSphere.solve(tmp_path / f"{step}", 12, 0, end=8.5, step=step)
         heights.append(np.interp(time, *heavingSphere.height(tmp_path / f"{step}")))
     assert np.sqrt(np.mean((heights[0] - heights[1])**2)) < 1.5e-3
+
+
+@pytest.mark.parametrize("ratio", (0.1, 1.0, 10.0))
+def test_fromRest(ratio: float, tmp_path: Path) -> None:
+    """A circle released from rest has its acceleration from the first step on, lighter and heavier than the fluid."""
+    run = tmp_path / "run"
+    planeBody.release(run, "plungeFoam", ratio, (12, 32), 0.1, {"system/fvSchemes": "ddtSchemes { default backward; }"})
+    track = planeBody.track(run)
+    acceleration = track["ay_m_s2"][1:]
+    assert acceleration == pytest.approx(acceleration[-1], rel=0.01, abs=0.002)
 
 
 def test_restart(tmp_path: Path) -> None:
