@@ -163,7 +163,7 @@ def checkDive(run: Path, nSteps: int) -> None:
     assert abs(dive["speed_m_s"][0] - 25) < 1e-9
     # Before contact only gravity and the gas act: no impulse at the start
     assert np.abs(dive["deceleration_m_s2"][time < 3e-4]).max() < 5
-    assert np.abs(ledger["error_percent_of_body_volume"]).max() < 1
+    assert np.abs(ledger["error_percent_of_body_volume"]).max() < 1e-6
 
 
 def checkFlow(case: Path) -> None:

@@ -18,7 +18,7 @@ namespace
 using namespace Foam;
 
 //- So far out of 0 to 1 by rounding a fraction stays as it is
-const scalar roundedFraction = 1e-6;
+const scalar roundedFraction = 1e-3;
 
 
 IOobject readField(const word& name, const fvMesh& mesh)
@@ -168,12 +168,7 @@ Foam::freeSurfaceFlow::freeSurfaceFlow(dynamicFvMesh& mesh)
         )
       : nullptr
     ),
-    fringeVolume_
-    (
-        scene_.conservesFringe()
-      ? new fringeVolume(composite_, mixture_.alpha1())
-      : nullptr
-    ),
+    fringeVolume_(),
     buoyancy_(scene_.gravity() ? new buoyancy(mesh) : nullptr),
     p_
     (
@@ -214,6 +209,10 @@ Foam::freeSurfaceFlow::freeSurfaceFlow(dynamicFvMesh& mesh)
         alpha1.correctBoundaryConditions();
         mixture_.alpha2() = 1 - alpha1;
         rho_ = alpha1*mixture_.rho1() + mixture_.alpha2()*mixture_.rho2();
+    }
+    if (scene_.conservesFringe())
+    {
+        fringeVolume_.reset(new fringeVolume(composite_, alpha1));
     }
     rho_.oldTime();
     mesh_.setFluxRequired(p_rgh_.name());
