@@ -135,6 +135,9 @@ void Foam::bodyMotion::check(const boundBox& domain) const
             << "solver " << integrator().get<word>("type") << " in " << dict_.name()
             << " takes restraints as they stood a time step before: a spring with little damping gains energy. Use addedMass or symplectic."
             << endl;
+        // For the summary, too
+        Info<< nl << "Run" << nl << "    Note: The integrator " << integrator().get<word>("type")
+            << " takes the body's restraints as they stood a time step before: a spring with little damping gains energy." << nl << endl;
     }
 
     // What lies on a plane of symmetry or on an axis is on the boundary, to round-off
