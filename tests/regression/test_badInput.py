@@ -287,6 +287,16 @@ def test_restart(written: Path) -> None:
     assert steps(foam("plungeFoam", case=anew, log="log.solver")) == ["0.002"]
 
 
+def test_restraintsThatLag(cases: Dict[str, Path]) -> None:
+    """A spring with an integrator that takes it a step late is allowed, as in the tutorials, and noted."""
+    case = copy(cases["floatingBody"], "lagging")
+    spring = "{ sixDoFRigidBodyMotionRestraint linearSpring; anchor (0.5 0.5 0); refAttachmentPt (0.5 0.45 0.1); stiffness 10; damping 0; restLength 0.1; }"
+    for coefficients in ("solver { type Newmark; }", f"restraints {{ spring {spring} }}"):
+        with (case / "constant/dynamicMeshDict").open("a") as file:
+            file.write(f"sixDoFRigidBodyMotionCoeffs {{ {coefficients} }}\n")
+    assert "    Note: The integrator Newmark takes the body's restraints as they stood" in foam("plungeFoam", case=case, log="log.solver")
+
+
 # --- while it runs -------------------------------------------------------------
 
 
