@@ -26,12 +26,6 @@ Foam::scalar Foam::backwardDifference::half() const
 }
 
 
-Foam::tmp<Foam::volScalarField> Foam::backwardDifference::share() const
-{
-    return min(steady_, steady_.oldTime());
-}
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::backwardDifference::backwardDifference
@@ -50,6 +44,7 @@ Foam::backwardDifference::backwardDifference
         dimensionedScalar("one", dimless, 1),
         zeroGradientFvPatchScalarField::typeName
     ),
+    share_(),
     toEnd_()
 {
     composite_.doNotInterpolate({steady_.name()});
@@ -121,6 +116,7 @@ void Foam::backwardDifference::update(const volScalarField& rho)
     }
     composite_.maskCalculated(steady);
     steady_.correctBoundaryConditions();
+    share_ = min(steady_, steady_.oldTime());
 }
 
 
@@ -133,7 +129,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::backwardDifference::massFlux
     return tmp<surfaceScalarField>::New
     (
         rhoPhi.name(),
-        rhoPhi + localMin<scalar>(mesh_).interpolate(share())*fvc::interpolate(rho)*toEnd_()
+        rhoPhi + localMin<scalar>(mesh_).interpolate(share_())*fvc::interpolate(rho)*toEnd_()
     );
 }
 
@@ -144,7 +140,7 @@ void Foam::backwardDifference::extrapolate(volVectorField& U) const
     {
         U.primitiveFieldRef() =
             U_.oldTime().primitiveField()
-          + 2*half()*share()().primitiveField()*(U_.oldTime().primitiveField() - U_.oldTime().oldTime().primitiveField());
+          + 2*half()*share_().primitiveField()*(U_.oldTime().primitiveField() - U_.oldTime().oldTime().primitiveField());
         U.correctBoundaryConditions();
     }
 }
@@ -160,7 +156,7 @@ Foam::tmp<Foam::fvVectorMatrix> Foam::backwardDifference::ddt
     if (hasPast())
     {
         const volVectorField& U0 = U.oldTime();
-        const volScalarField rate(share()/mesh_.time().deltaT());
+        const volScalarField rate(share_()/mesh_.time().deltaT());
         const volScalarField last("ddtLast", weight()*rate*rho);
         const volScalarField density("ddtDensity", rate*(rho - rho.oldTime()));
         teqn.ref() +=
@@ -190,7 +186,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::backwardDifference::ddtCorr
     tmp<surfaceScalarField> tkept(excess0);
     if (hasPast())
     {
-        const surfaceScalarField faceShare(localMin<scalar>(mesh_).interpolate(share()));
+        const surfaceScalarField faceShare(localMin<scalar>(mesh_).interpolate(share_()));
         const auto keep = [](scalarField& factor, const scalarField& share)
         {
             factor += share*(1 - factor);

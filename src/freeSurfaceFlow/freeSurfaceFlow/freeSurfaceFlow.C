@@ -17,8 +17,8 @@ namespace
 
 using namespace Foam;
 
-//- So far out of 0 to 1 by rounding a fraction stays as it is
-const scalar roundedFraction = 1e-3;
+//- So far out of 0 to 1, as on regular meshes, a fraction stays as it is
+const scalar tolerableExcess = 1e-3;
 
 
 IOobject readField(const word& name, const fvMesh& mesh)
@@ -107,7 +107,7 @@ Foam::freeSurfaceFlow::freeSurfaceFlow(dynamicFvMesh& mesh)
     body_(scene_.hasBody() ? new bodyMotion(mesh) : nullptr),
     history_
     (
-        body_ && backwardDifference::isWanted(mesh) && body_->integrator().getOrDefault<word>("type", word::null) == "addedMass"
+        body_ && backwardDifference::isWanted(mesh) && body_->isMovedBy("addedMass")
       ? new bodyHistory(time_)
       : nullptr
     ),
@@ -187,7 +187,7 @@ Foam::freeSurfaceFlow::freeSurfaceFlow(dynamicFvMesh& mesh)
     rAU_(),
     cumulativeContinuityError_(0),
     longestDeltaT_(0),
-    repeats_(body_ && body_->integrator().getOrDefault<word>("type", word::null) == "addedMass"),
+    repeats_(body_ && body_->isMovedBy("addedMass")),
     nRepeats_(0),
     nUnbalanced_(0),
     worstBalance_(0),
@@ -202,7 +202,7 @@ Foam::freeSurfaceFlow::freeSurfaceFlow(dynamicFvMesh& mesh)
 
     volScalarField& alpha1 = mixture_.alpha1();
     const scalar excess = max(gMax(alpha1.primitiveField()) - 1, -gMin(alpha1.primitiveField()));
-    if (excess > roundedFraction && !restart::isFrom(mesh_))
+    if (excess > tolerableExcess && !restart::isFrom(mesh_))
     {
         Info<< "Volume fractions of the liquid are out of 0 to 1 by up to " << excess << ", as warped cells make them: cut off" << nl << endl;
         alpha1.primitiveFieldRef() = min(max(alpha1.primitiveField(), scalar(0)), scalar(1));

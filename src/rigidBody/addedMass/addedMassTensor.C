@@ -65,8 +65,7 @@ Foam::addedMassTensor::addedMassTensor(const fvMesh& mesh, const bodyMotion& bod
 
 bool Foam::addedMassTensor::isWanted(const bodyMotion& body)
 {
-    const dictionary integrator(body.integrator());
-    return integrator.getOrDefault<word>("type", word::null) == "addedMass" && !integrator.found("addedMass");
+    return body.isMovedBy("addedMass") && !body.integrator().found("addedMass");
 }
 
 
