@@ -173,7 +173,7 @@ def test_surface_lies_where_the_dive_starts(case: Path) -> None:
     (["-model", "axisymmetric"], "-model axisymmetric, but the body does not move along its own, vertical axis; expected half or full"),
     (["-model", "plane"], "-model plane, but the shape NACA is a body in space; expected auto, axisymmetric, half or full"),
     (["-model", "half", "-set", "entry.sideslip=5"], "-model half, but sideslip; expected full"),
-    (["-mesh", "moving"], "-mesh moving: expected one of: auto overset single"),
+    (["-mesh", "moving"], "-mesh moving: expected one of: auto overset following single"),
     (["-tier", "coarse"], "-tier coarse: expected one of"),
     (["-np", "0"], "-np 0: expected a whole number, at least 1"),
     (["-resolution", "fine"], "-resolution fine: expected a number from 0.25 to 16"),
@@ -441,24 +441,26 @@ def test_decisions_are_printed_and_written(case: Path) -> None:
     done = plungeCase(case)
     given = foamDictionary.read(case / "run/titan-fast/system/plungeGenerated")
     assert done.stderr.splitlines()[-5:] == given["decisions"] == [
-        "model: half (nothing drives the body out of its plane of symmetry)", "mesh: overset (the body moves through the background)",
+        "model: half (nothing drives the body out of its plane of symmetry)", "mesh: following (the body travels 1.12 of its lengths, and the background with it)",
         "boundary layer: frictionLine (Re = 1.64e+07, above transition at 5e+05)", "surface tension: off (We = 1.33e+07)",
         "compressibility: none (Ma = 0.0126 in the liquid, 0.128 in the gas)"]
     assert plungeCase(case, "-boundaryLayer", "none").stdout.strip() == str(case / "run/titan-fast-none")
 
 
 @pytest.mark.parametrize("overrides, model, mesh", [
-    ({}, "half", "overset"),
-    ({"entry__angle": 90}, "half", "overset"),                              # free: it may leave its axis
+    ({}, "half", "following"),
+    ({"entry__angle": 90}, "half", "following"),                              # free: it may leave its axis
     ({"entry__angle": 90, "body__freedom": "axial"}, "axisymmetric", "single"),
     ({"entry__angle": 90, "body__freedom": "axial", "method": "particles"}, "quarter", "none"),
-    ({"entry__angle": 90, "body__freedom": "axial", "entry__attitude": 80}, "half", "overset"),
+    ({"entry__angle": 90, "body__freedom": "axial", "entry__attitude": 80}, "half", "following"),
     ({"entry__angle": 90, "body__freedom": "prescribed"}, "axisymmetric", "single"),
-    ({"entry__sideslip": 3}, "full", "overset"),
-    ({"entry__spin": [0, 1, 0]}, "half", "overset"),
-    ({"entry__spin": [1, 0, 0]}, "full", "overset"),
-    ({"body__centreOfMass": [0.4, 0.01, 0]}, "full", "overset"),
+    ({"entry__sideslip": 3}, "full", "following"),
+    ({"entry__spin": [0, 1, 0]}, "half", "following"),
+    ({"entry__spin": [1, 0, 0]}, "full", "following"),
+    ({"body__centreOfMass": [0.4, 0.01, 0]}, "full", "following"),
     ({"model": "full", "mesh": "single"}, "full", "single"),
+    ({"entry__speed": 0, "duration": 0.1}, "half", "overset"),
+    ({"entry__speed": 0, "duration": 5}, "half", "following"),
 ])
 def test_dimension_and_symmetry_follow_from_shape_path_and_freedom(overrides: dict, model: str, mesh: str) -> None:
     found = generated(**overrides)
@@ -641,7 +643,8 @@ def test_numbers_are_finite() -> None:
 ])
 def test_roomForTheFall(density: float, speed: float, deepest: float) -> None:
     """The background holds the way that gravity makes of it, and room about the body at its end."""
-    flat = generated(fluids="water", entry__speed=speed, body__shape__length=0.1, entry__gap=0.001, body__density=density)
+    flat = generated(fluids="water", entry__speed=speed, body__shape__length=0.1, entry__gap=0.001, body__density=density,
+                     mesh="overset")
     assert flat["zMin"] < min(deepest, flat["pathEnd"][2]) - 0.1
     assert flat["pathEnd"][2] <= deepest + 0.005
 
@@ -649,8 +652,18 @@ def test_roomForTheFall(density: float, speed: float, deepest: float) -> None:
 def test_roomForARise() -> None:
     """A light body that is let go in the liquid leaves it through the surface: up there is room, too."""
     flat = generated(fluids="water", entry__speed=0.0, entry__depth=0.5, body__density=300, body__shape__length=0.1, duration=0.5,
-                   entry__angle=-90)
+                   entry__angle=-90, mesh="overset")
     assert flat["pathEnd"][2] > 0.05 and flat["zMax"] > flat["pathEnd"][2] + 0.03
+
+
+def test_backgroundThatFollows() -> None:
+    """Holds the body and as much about it on all sides, however far it goes, and its far boundary passes through the surface."""
+    near, far = (generated(travel=travel) for travel in (1, 25))
+    assert near["mesh"] == far["mesh"] == "following"
+    assert all(near[name] == far[name] for name in ("xMin", "xMax", "yMax", "zMin", "zMax", "pathStart", "pathEnd", "estimatedCells"))
+    assert near["zMax"] - near["pathStart"][2] >= 1.5 and near["pathEnd"][2] - near["zMin"] >= 1.5
+    standing = generated(travel=25, mesh="overset")
+    assert standing["estimatedCells"] > 10*far["estimatedCells"] and standing["pathEnd"][2] < -23
 
 
 def test_an_estimate_probes_finer_where_the_coarse_body_is_refused(case: Path, monkeypatch: pytest.MonkeyPatch) -> None:

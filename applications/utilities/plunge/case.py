@@ -242,7 +242,7 @@ def _copy_case(case: Case, run: Path) -> None:
     else:
         if method == "meshes":
             without += [] if flat["boundaryLayer"] == "wallFunction" else _TURBULENCE
-            without += [] if flat["mesh"] == "overset" else _OVERSET
+            without += [] if flat["mesh"] != "single" else _OVERSET
             without += ["snapped"]
         if method == "slenderBody":
             without += ["bodyMotion"]

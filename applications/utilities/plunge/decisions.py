@@ -16,7 +16,7 @@ from plunge.scene import Scene
 
 METHODS = ("meshes", "particles", "slenderBody")
 MODELS = ("plane", "axisymmetric", "quarter", "half", "full")
-MESHES = ("overset", "single")
+MESHES = ("overset", "following", "single")
 # Of the body that a model holds; elsewhere all of it. Between plane wedges a sector has the volume of a polygon's.
 _SHARES = {"half": 0.5, "quarter": 0.25, "axisymmetric": sin(radians(SECTOR)) / (2 * pi)}
 
@@ -24,6 +24,8 @@ _SHARES = {"half": 0.5, "quarter": 0.25, "axisymmetric": sin(radians(SECTOR)) / 
 _HIGHEST_WEBER = 1e6
 # A layer is called laminar up to this many times the Reynolds number of transition: over half the length, and more
 _MOSTLY_LAMINAR = 2.0
+# Travel from rest over the body's length above which the background follows: a corridor of fine cells would have more than those about the body
+_FAR = 1.0
 # Mach number above which a flow's density changes by more than a twentieth
 _COMPRESSIBLE = 0.3
 
@@ -96,7 +98,7 @@ def share(modelled: str) -> float:
 
 
 def mesh(scene: Scene, method: str, modelled: str, asked: str) -> Decision:
-    """One mesh that moves with the body, or one about the body on a background."""
+    """One mesh that moves with the body, or one about the body on a background that stands or travels with it."""
     if method == "particles":
         if asked not in ("auto", *MESHES):
             raise ParameterError(f"-mesh {asked}: expected one of: auto {' '.join(MESHES)}")
@@ -106,15 +108,18 @@ def mesh(scene: Scene, method: str, modelled: str, asked: str) -> Decision:
             raise ParameterError(f"-mesh {asked}, but slenderBody has no mesh; expected auto")
         return Decision("none", "strips need none")
     if modelled in ("plane", "axisymmetric"):
-        if asked == "overset":
-            raise ParameterError(f"{scene.source}: -mesh overset, but the model is {modelled}, whose mesh moves with the body; expected "
+        if asked in ("overset", "following"):
+            raise ParameterError(f"{scene.source}: -mesh {asked}, but the model is {modelled}, whose mesh moves with the body; expected "
                                  "auto or single" + ("" if modelled == "plane" else ", or -model half or full"))
         return Decision("single", f"of the {modelled} model: it moves with the body")
     if asked != "auto":
         return Decision(asked, "as asked")
     if scene.freedom == "fixed":
         return Decision("single", "the body does not move")
-    return Decision("overset", "the body moves through the background")
+    travel = float(np.linalg.norm(scene.end - scene.nose)) / scene.shape.length
+    if scene.speed or travel > _FAR:
+        return Decision("following", f"the body travels {travel:.3g} of its lengths, and the background with it")
+    return Decision("overset", "from rest, the body moves by less than its length on a background that stands")
 
 
 def boundary_layer(scene: Scene, method: str, asked: str, first_layer: float, affordable: bool) -> Decision:

@@ -103,10 +103,10 @@ class _Background:
 
 def _background(meshes: Meshes, offset: float) -> _Background:
     scene, tier, resolution = meshes.scene, meshes.tier, meshes.resolution
-    scale, full = scene.scale, meshes.model == "full"
-    ends = np.array([scene.nose - scene.shape.length * scene.forward, scene.nose, scene.end,
-                     scene.end - scene.shape.length * scene.forward])
-    start, end = ends[0], ends[2]
+    scale, full, follows = scene.scale, meshes.model == "full", meshes.mesh == "following"
+    tail = -scene.shape.length * scene.forward
+    start, end = scene.nose + tail, scene.nose if follows else scene.end
+    ends = np.array([start, scene.nose, end, end + tail])
 
     # The domain is a whole number of unrefined cells, with a cell face on z = 0.
     cell = tier["backgroundSpacing"] * scale
@@ -117,9 +117,11 @@ def _background(meshes: Meshes, offset: float) -> _Background:
     def refined(count: float) -> int:
         return max(1, round(count * resolution))
 
+    # Above what rises from the surface there is the gas; a background that follows takes the liquid with it there
+    above = 1.5 if follows else 0.5
     x_low, x_high = -cells(1.5 * scale - ends[:, 0].min()), cells(1.5 * scale + ends[:, 0].max())
     y_high = cells(1.5 * scale + np.abs(ends[:, 1]).max())
-    z_low, z_high = -cells(1.5 * scale - min(0.0, ends[:, 2].min())), cells(max(0.0, ends[:, 2].max()) + 0.5 * scale)
+    z_low, z_high = -cells(1.5 * scale - min(0.0, ends[:, 2].min())), cells(max(0.0, ends[:, 2].max()) + above * scale)
     counts = [refined(x_high - x_low), refined(y_high) * (2 if full else 1), refined(-z_low) + refined(z_high)]
 
     # Shells about the path, finest innermost; each coarser one is four of its cells wide.
@@ -211,7 +213,7 @@ def sections(meshes: Meshes, decided: dict[str, Decision]) -> list[tuple[str, di
         turbulence = [("Turbulence of the undisturbed fluids, too weak to act on the flow: intensity 0.033 %, "
                        "eddy viscosity 4e-7 speed length", {"freeStreamK": k, "freeStreamOmega": omega})]
 
-    background = _background(meshes, body.reach) if meshes.mesh == "overset" else None
+    background = _background(meshes, body.reach) if meshes.mesh != "single" else None
     cells = body.cells + (background.cells if background else 0)
     # By the flow about the nose: what dives of the fast tier take on average
     limit = tier["maxDeltaT"] * scene.scale / speed / resolution
