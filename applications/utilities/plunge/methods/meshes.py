@@ -30,6 +30,8 @@ _BLUNT_SPACING = 0.125
 # numbers, for which the solver asks, a third
 _CORRECTIONS = {"half": 1, "full": 1, "axisymmetric": 2, "plane": 2}
 _COURANT = 1.0
+# Courant number of the interface in a sub-cycle, at most: with larger ones more gas goes down along the body
+_SUBCYCLE_COURANT = 0.5
 _DIFFUSION = 0.3
 
 
@@ -238,6 +240,7 @@ def sections(meshes: Meshes, decided: dict[str, Decision]) -> list[tuple[str, di
             "initialDeltaT": min(0.05 * body.finest / speed, limit, 0.1 * scene.duration),
             "deltaTLimit": limit, "courantLimit": meshes.courant * tier["maxCo"],
             "interfaceCourantLimit": meshes.courant * tier["maxAlphaCo"],
+            "interfaceSubCycles": ceil(meshes.courant * tier["maxAlphaCo"] / _SUBCYCLE_COURANT - 1e-9),
         }),
     ]
 
