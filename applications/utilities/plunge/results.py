@@ -418,6 +418,19 @@ def cpu_seconds(run: Path) -> float:
     return sum(float(times[-1]) for times in starts if times)
 
 
+def rate(case: Path) -> str:
+    """What a run on meshes took, in words: CPU time, time steps, cells, and how many of these pass through a step in a second on one core;
+    empty where its log does not say."""
+    try:
+        cells, steps = cell_count(case), len(re.findall(r"^Time = ", solver_log(case), re.M))
+        cpu = int(parameters(case).get("cores", 1)) * cpu_seconds(case)
+    except CaseError:
+        return ""
+    if not steps or not cpu:
+        return ""
+    return f"{cpu / 60:.3g} min of CPU time, {steps:,} steps of {cells:,} cells: {cells * steps / cpu:,.0f} cells x steps per second and core"
+
+
 def scene_name(case: Path) -> str:
     """The fluids (titan, water, ...), where plungeCase has set the case up; else empty."""
     return entry(case, PARAMETERS, "fluids") if (case / PARAMETERS).is_file() else ""
