@@ -31,7 +31,7 @@ def field(run: Path, name: str, internal: object, others: str, **patches: str) -
 
 def solve(run: Run, path: Path) -> None:
     stencil, gravity = run.variant.split(", ")
-    if prepare(run, path):
+    if prepare(run, path, ["-mesh", "overset"]):
         mesh(path)
         velocity = "(" + " ".join(map(repr, read(path / "system/plungeGenerated")["initialVelocity"])) + ")"
         field(path, "U", velocity, f"type fixedValue; value uniform {velocity};", farLiquid="type zeroGradient;",

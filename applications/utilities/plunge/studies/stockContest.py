@@ -22,19 +22,30 @@ from plunge.studies.signals import Signal
 from plunge.studies.solverLogs import readLog
 from plunge.studies.tutorials import setUp
 
-PROFILED = {CONTROL: "profiling { active true; }"}
-AS_OURS = {
-    **AS_STOCK,
-    CONTROL: "application overInterDyMFoam; libs (overset fvMotionSolvers rigidBody plungeFunctionObjects);",
-    "system/fvSchemes": f"ddtSchemes {{ default Euler; }} oversetInterpolation {{ {STOCK_STENCIL} }}",
-}
-AS_TUTORIAL = {**AS_OURS, "system/fvSolution": "PIMPLE { momentumPredictor no; nCorrectors 3; }"}
-QUARTER_STEPS = {**AS_STOCK, CONTROL: "maxCo 0.25; maxAlphaCo 0.125; maxDeltaT 2.5e-5;"}
-MULTIGRID = {"system/fvSolution": "solvers { p_rgh { preconditioner { preconditioner GAMG; agglomerator algebraicPair; "
-                                  "smoother GaussSeidel; nFinestSweeps 2; scaleCorrection no; nCellsInCoarsestLevel 100; "
-                                  "directSolveCoarsest yes; } } p_rghFinal { $p_rgh; relTol 1e-3; } }"}
-FLOATING_END = 0.5  # [s]
 OURS, STOCK, REFERENCE = "plungeFoam", "overInterDyMFoam", "quarter steps"
+SAME, SINGLE, TUNED = "plungeFoam, stock's mesh and steps", "plungeFoam, single mesh", f"{STOCK}, this case's correctors"
+
+
+def _changes(control: str = "", solution: str = "", schemes: str = "") -> dict[str, str]:
+    return {**AS_STOCK, CONTROL: f"profiling {{ active true; }} {control}", "system/fvSolution": solution, "system/fvSchemes": schemes}
+
+
+# The steps that all had when they were compared first, and correctors that are enough for them
+_STEPS = "maxCo 1; maxAlphaCo 0.5; maxDeltaT 2e-4;"
+_CORRECTORS = "PIMPLE { momentumPredictor yes; nCorrectors 1; }"
+_ONE_CYCLE = 'solvers { "alpha.liquid.*" { nAlphaSubCycles 1; } }'
+_PROGRAM = "application overInterDyMFoam; libs (overset fvMotionSolvers rigidBody plungeFunctionObjects);"
+_SCHEMES = f"ddtSchemes {{ default Euler; }} oversetInterpolation {{ {STOCK_STENCIL} }}"
+# Of each dive: its mesh, and what its case has in place of plungeCase's entries
+DIVES = {
+    OURS: ("auto", _changes()),
+    SINGLE: ("single", _changes()),
+    SAME: ("overset", _changes(_STEPS, f"{_CORRECTORS} {_ONE_CYCLE}")),
+    STOCK: ("overset", _changes(f"{_PROGRAM} {_STEPS}", f"PIMPLE {{ momentumPredictor no; nCorrectors 3; }} {_ONE_CYCLE}", _SCHEMES)),
+    TUNED: ("overset", _changes(f"{_PROGRAM} {_STEPS}", f"{_CORRECTORS} {_ONE_CYCLE}", _SCHEMES)),
+    REFERENCE: ("single", _changes("maxCo 0.25; maxAlphaCo 0.125; maxDeltaT 2.5e-5;", _ONE_CYCLE)),
+}
+FLOATING_END = 0.5  # [s]
 FLOATING = {
     STOCK: {"system/fvSchemes": "oversetInterpolation { method trackingInverseDistance; searchBoxDivisions ((64 64 64) (64 64 64)); }"},
     OURS: {
@@ -80,9 +91,3 @@ def profile(run: Path) -> dict[str, float]:
     times = {name: float(time) for time, name in lines}
     total = times.pop("total")
     return {name: 100*time/total for name, time in times.items()}
-
-
-def iterations(run: Path) -> float:
-    """Of PBiCGStab, mean of the pressure's solutions."""
-    found = [int(n) for n in re.findall(r"Solving for p_rgh,.* No Iterations (\d+)", solver_log(run))]
-    return sum(found)/len(found)
