@@ -7,6 +7,7 @@ runs to its end at once."""
 
 from __future__ import annotations
 
+import csv
 import os
 import re
 import subprocess
@@ -20,12 +21,17 @@ from typing import Any, Sequence
 from plunge import case as cases
 from plunge.case import Case
 from plunge.checks import ParameterError
+from plunge.methods.tiers import TEMPLATES
 from plunge.results import cell_count, cpu_seconds, particle_counts
 
 PROBE_SECONDS = 45.0
 # Cells or particles of a probe, at most; its resolution is no finer than the scene's, and no coarser than it can be
 _PROBE_COUNT = {"meshes": 9e3, "particles": 2e4}
 _COARSEST = 0.25
+# Errors that were measured over the whole ladder of methods and tiers; validation/run tradeoff writes it
+ERRORS = TEMPLATES / "errors.csv"
+# A resolution is as right as a measured one of up to this ratio
+_NEAR = 1.25
 # Of a solver without a mesh [kB]
 _BASE_MEMORY = 95e3
 # CPU time of a cell and step goes with this power of the number of cells: iterations of the pressure grow as meshes do
@@ -116,6 +122,7 @@ class Estimate:
     memory: float       # [MB]
     disk: float         # [MB]
     frames: int
+    errors: str         # that such a run had where they were measured
 
     @property
     def elapsed(self) -> float:
@@ -130,6 +137,7 @@ class Estimate:
             f"at best {_duration(self.elapsed)}",
             f"memory       {_megabytes(self.memory)}",
             f"disk         {_megabytes(self.disk)}, {self.frames} written times",
+            f"error        {self.errors}",
         ])
 
 
@@ -160,7 +168,30 @@ def of(scene: Path, entries: dict[str, Any], case: Case) -> Estimate:
     processes = cores if method == "meshes" else 1
     return Estimate(case.unit, count, steps, probe.set_up * count, probe.solver * growth * count * steps, cores,
                     (processes * _BASE_MEMORY + probe.memory * count) / 1000,
-                    probe.frame * count * (case.scene.frames + 1) / 1000, case.scene.frames)
+                    probe.frame * count * (case.scene.frames + 1) / 1000, case.scene.frames, expected_errors(case))
+
+
+def expected_errors(case: Case) -> str:
+    """Of the scene that was measured and is most like this one: a slender body's dive or a cone's fall, by the same method, mesh and resolution."""
+    options, flat = case.options, case.flat
+    unknown = "not measured for such a run (docs/results/tradeoff.md)"
+    if not ERRORS.is_file() or "bodyLength" not in flat:
+        return unknown
+    alike = "fallingCone" if flat["model"] in ("axisymmetric", "quarter") else "gannetPlunge"
+    variant = {"meshes": flat["mesh"], "particles": "single", "slenderBody": "strips"}[options["method"]] if alike == "gannetPlunge" else ""
+    found: dict[str, list[str]] = {}
+    with ERRORS.open(newline="") as file:
+        for row in csv.DictReader(line for line in file if not line.startswith("#")):
+            if (row["scene"], row["method"], row["variant"]) != (alike, options["method"], variant):
+                continue
+            tier, _, factor = row["resolution"].partition(" ")
+            ratio = float(options["resolution"]) / float(factor or 1)
+            if not tier or tier == options["tier"] and 1 / _NEAR < ratio < _NEAR:
+                found.setdefault(row["resolution"], []).append(f"{row['quantity']} {float(row['error_percent']):.2g} %")
+    if not found:
+        return unknown
+    level, errors = min(found.items(), key=lambda item: abs(float(item[0].partition(" ")[2] or 1) - float(options["resolution"])))
+    return f"{', '.join(errors)} ({alike} at {level or 'any resolution'}; docs/results/tradeoff.md)"
 
 
 def _run_at_once(scene: Path, entries: dict[str, Any], case: Case) -> Estimate:
@@ -172,7 +203,7 @@ def _run_at_once(scene: Path, entries: dict[str, Any], case: Case) -> Estimate:
         steps = re.search(r"^(\d+) steps", (run / "log.slenderBody").read_text(), re.M)
         disk = _directory_size(run) / 1e6
     made = float(steps[1]) if steps else 0.0
-    return Estimate(case.unit, made, made, 0.0, seconds, 1, memory / 1000, disk, 1)
+    return Estimate(case.unit, made, made, 0.0, seconds, 1, memory / 1000, disk, 1, expected_errors(case))
 
 
 def _coarser(case: Case, coarse: Case) -> float:

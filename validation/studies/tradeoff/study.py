@@ -1,0 +1,156 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What accuracy costs: one question over the whole ladder of methods, tiers and settings, with the error and the CPU time of each rung, and those
+rungs beside which no other is both cheaper and better.
+
+The dive into the paper's liquid, to full immersion: largest load along the axis (mean of 1 ms), velocity lost, pitch. Its reference is what three
+resolutions of the default method at the Courant number 1 extrapolate to; its uncertainty is the grid convergence index of the finest. The cone of 45 degrees that
+falls from 0.5 m: its reference is the mean of the trials, with two standard deviations. Errors are in percent of the reference; nothing is judged. A
+rung that differs by one setting is named by it; what is left out (boundary layer) is such a setting, too. The fluids are isothermal: their properties are
+found once, before the first step, and cost the same by table and by equation. The dives of a rung cost minutes each, all together two hours of one core,
+the night's tier four more; killed, the study goes on where it was."""
+from __future__ import annotations
+
+from functools import lru_cache
+
+from plunge.estimate import ERRORS
+from plunge.results import read_numbers
+from plunge.studies.dives import Dive
+from plunge.studies.gridConvergence import SAFETY, gridConvergence
+from plunge.studies.particleRuns import CONTROL
+from plunge.studies.pictures import pyplot
+from plunge.studies.resultTable import markdown
+from plunge.studies.scenes import solveScene
+from plunge.studies.study import Done, Quantity, Run, Study, module
+
+CONES = module("coneEntry")
+CONE = "45 deg 0.5 m"
+SOLUTION, SCHEMES = "system/fvSolution", "system/fvSchemes"
+SMALL_STEPS = {CONTROL: "maxCo 1; maxAlphaCo 0.5; maxDeltaT 2e-4;"}
+REFERENCE, SERIES = "following, Courant 1", ("fast 1.4", "fast", "fast 0.7")
+# Of the dive by meshes at the tier fast: options of plungeCase, and what differs in the case
+SETTINGS = {
+    "following": ((), {}),
+    "single": (("-mesh", "single"), {}),
+    "overset": (("-mesh", "overset"), {}),
+    REFERENCE: ((), SMALL_STEPS),
+    "following, Courant 1, one correction": ((), {**SMALL_STEPS, SOLUTION: "PIMPLE { nCorrectors 1; }"}),
+    "following, Courant 4": ((), {CONTROL: "maxCo 4; maxAlphaCo 2; maxDeltaT 8e-4;", SOLUTION: 'solvers { "alpha.liquid.*" { nAlphaSubCycles 4; } }'}),
+    "following, three corrections": ((), {SOLUTION: "PIMPLE { nCorrectors 3; }"}),
+    "following, Euler": ((), {SCHEMES: "ddtSchemes { default Euler; }"}),
+    "following, no boundary layer": (("-boundaryLayer", "none"), {}),
+    "following, wall functions": (("-boundaryLayer", "wallFunction"), {}),
+    "single, isoAdvector": (("-mesh", "single"), {"constant/sceneProperties": "interface isoAdvector;"}),
+    "following, two ranks": (("-np", "2"), {}),
+}
+LEVELS = {"following": ("fast 0.5", "fast 0.7", "fast", "fast 1.4"), "single": ("fast 0.5", "fast 0.7", "fast", "fast 1.4"), REFERENCE: SERIES}
+NIGHT = {"following": ("standard",), "single": ("standard",)}
+dive = lru_cache(maxsize=None)(Dive)
+
+
+def rungs() -> list[Run]:
+    found = [Run("gannetPlunge", "slenderBody", "strips", "", ("full", "quick"))]
+    for variant, (options, changes) in SETTINGS.items():
+        given = {"options": [*options, "-set", "frames=1"], "changes": changes}
+        for tier, levels in (("full", LEVELS.get(variant, ("fast",))), ("night", NIGHT.get(variant, ()))):
+            found += [Run("gannetPlunge", "meshes", variant, level, (tier,), 1 + ("-np" in options), given) for level in levels]
+    found += [Run("gannetPlunge", "particles", precision, level, ("full",), 1, {
+        "options": ["-set", "frames=1"], "changes": {"constant/particleProperties": f"precision {precision};"}})
+        for precision, level in (("single", "fast 0.7"), ("single", "fast"), ("double", "fast"))]
+    cone = CONES.scene(CONE)
+    found += [Run("fallingCone", "slenderBody", CONE, "", ("full", "quick"), given={"options": cone})]
+    found += [Run("fallingCone", "meshes", CONE, level, ("full", "quick") if level == "fast 0.5" else ("full",), given={"options": cone})
+              for level in ("fast 0.5", "fast 0.7", "fast", "fast 1.4")]
+    found += [Run("fallingCone", "particles", CONE, level, ("full",), given={"options": cone}) for level in ("fast", "fast 1.4", "fast 2")]
+    return found
+
+
+def summary(name: str):
+    return lambda done: read_numbers(done.path/"results/summary.csv")[name][0]
+
+
+ANSWERS = {
+    "largest axial load": ("N", "gannetPlunge", lambda done: float(dive(done.path).mean["axial"].max())),
+    "velocity lost at full immersion": ("m/s", "gannetPlunge", summary("velocity lost at full immersion")),
+    "pitch change at full immersion": ("deg", "gannetPlunge", summary("pitch change at full immersion")),
+    "peak of C": ("1", "fallingCone", lambda done: float(CONES.peak(done)[1])),
+}
+
+
+def reference(done: Done, name: str) -> tuple[float, float] | None:
+    """And its uncertainty."""
+    if done.run.scene == "fallingCone":
+        return float(CONES.TRIALS[CONE]["Cpeak_mean"]), 2*float(CONES.TRIALS[CONE]["Cpeak_std"])
+    series = [other for run in (Run("gannetPlunge", "meshes", REFERENCE, level) for level in SERIES) if (other := done.others.get(run.key))]
+    if len(series) < len(SERIES):
+        return None
+    found = gridConvergence([each.run.size for each in series], [ANSWERS[name][2](each) for each in series], 1, 2)
+    value = ANSWERS[name][2](series[0])
+    return found.extrapolated, SAFETY*abs(value - found.extrapolated)
+
+
+def error(name: str):
+    def of(done: Done) -> float | None:
+        _, scene, value = ANSWERS[name]
+        known = reference(done, name) if done.run.scene == scene else None
+        return 100*abs(value(done)/known[0] - 1) if known else None
+    return of
+
+
+def front(points: list[tuple[float, float, str]]) -> list[tuple[float, float, str]]:
+    """Those (cost, error, name) beside which no other is both cheaper and better."""
+    return [each for each in sorted(points) if not any(other[0] <= each[0] and other[1] < each[1] for other in points)]
+
+
+def points(done, name: str) -> list[tuple[float, float, str]]:
+    return [(each.cpu, value, " ".join(filter(None, (each.run.method if each.run.method != "meshes" else "",
+                                                     each.run.variant if each.run.scene != "fallingCone" else "", each.run.resolution))))
+            for each in done if each.cpu and (value := error(name)(each)) is not None]
+
+
+def draw(done, file) -> None:
+    known = {name: found for name in ANSWERS if (found := points(done, name))}
+    picture, axes = pyplot.subplots(len(known), 1, figsize=(9, 4.6*len(known)), layout="constrained", squeeze=False)
+    for axis, (name, of) in zip(axes.flat, known.items()):
+        best = front(of)
+        axis.loglog([cost for cost, *_ in of], [off for _, off, _ in of], "o", color="0.6")
+        axis.loglog([cost for cost, *_ in best], [off for _, off, _ in best], "o-", color="C3", label="front")
+        for cost, off, label in of:
+            axis.annotate(label, (cost, off), fontsize=6, xytext=(3, 3), textcoords="offset points")
+        sure = next(100*found[1]/abs(found[0]) for each in done if each.run.scene == ANSWERS[name][1] and (found := reference(each, name)))
+        axis.axhline(sure, color="0.5", linestyle=":", label="uncertainty of the reference")
+        axis.set(xlabel="CPU time [s]", ylabel="error [%]", title=f"{ANSWERS[name][1]}: {name}")
+        axis.legend(fontsize="small")
+    picture.savefig(file, dpi=90)
+    pyplot.close(picture)
+
+
+def answers(rows: list[dict[str, str]]) -> list[str]:
+    """If so much CPU time is to be had: which rung, and what error; as Markdown."""
+    lines = []
+    for name, (_, scene, _) in ANSWERS.items():
+        of = [(float(row["cpu_s"]), float(row["value"]), ", ".join(filter(None, (row["method"], row["variant"] if scene != "fallingCone" else "", row["resolution"]))))
+              for row in rows if row["quantity"] == f"error of {name}" and row["cpu_s"]]
+        lines += [[f"{scene}: {name}", f"{cost:.2g} s" if cost < 60 else f"{cost/60:.2g} min", rung, f"{off:.2g} %"] for cost, off, rung in front(of)]
+    return ["The front: with so much CPU time, this rung, and this error.", "", *markdown(["question", "CPU time", "rung", "error"], lines)]
+
+
+def writeErrors(done, rows, clean: bool) -> None:
+    """What plungeCase -estimate quotes."""
+    if not clean:
+        return
+    lines = [f"{each.run.scene},{each.run.method},{each.run.variant if each.run.scene == 'gannetPlunge' else ''},{each.run.resolution},{name},{value:.3g}"
+             for each in done for name in ANSWERS if (value := error(name)(each)) is not None]
+    ERRORS.write_text("\n".join(["# Written by validation/run tradeoff, which says what they are: errors in %",
+                                 "scene,method,variant,resolution,quantity,error_percent", *lines]) + "\n")
+
+
+study = Study(
+    title="What accuracy costs: the whole ladder, from strips to fine meshes", runs=rungs(), solve=solveScene, after=writeErrors,
+    sources=("src/freeSurfaceFlow", "src/oversetMethods", "src/rigidBody", "src/smoothedParticles", "src/slenderBody", "applications/solvers", "etc/methods/tiers"),
+    quantities=[
+        *(Quantity(name, unit, lambda done, s=scene, of=of: of(done) if done.run.scene == s else None) for name, (unit, scene, of) in ANSWERS.items()),
+        *(Quantity(f"error of {name}", "%", error(name)) for name in ANSWERS),
+        *(Quantity(f"uncertainty of the reference of {name}", "%", lambda done, n=name: (
+            100*found[1]/abs(found[0]) if done.run.variant == REFERENCE and done.run.resolution == SERIES[0] and (found := reference(done, n)) else None))
+          for name in ANSWERS)],
+    headlines=["error of velocity lost at full immersion", "error of peak of C"], figure=draw)
