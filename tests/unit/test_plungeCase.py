@@ -561,7 +561,7 @@ def test_any_entry_can_be_set(case: Path) -> None:
 
 
 @pytest.mark.parametrize("overrides, corrections", [
-    ({}, 1), ({"tier__maxCo": 5}, 2), ({"model": "full"}, 1),
+    ({}, 2), ({"tier__maxCo": 1}, 1), ({"model": "full", "tier__maxCo": 0.8}, 1),
     ({"fluids": {"liquid": "water", "gas": "earthAir", "liquidViscosity": 1000}}, 3),
 ])
 def test_pressure_corrections_follow_from_courant_and_diffusion_number(overrides: dict, corrections: int) -> None:

@@ -222,7 +222,7 @@ def _meshes(tank: Tank, tier: dict[str, Any], options: dict[str, Any], cell: flo
         "estimatedSteps": round(tank.duration / limit, -1), "pressureCorrections": 3, "nonOrthogonalCorrections": 0,
         "coresSplit": cores_split(options["cores"], plane),
         "initialDeltaT": min(0.1 * limit, 0.1 * tank.interval), "deltaTLimit": min(5 * limit, tank.duration / tank.frames),
-        "courantLimit": tier["maxCo"], "interfaceCourantLimit": tier["maxAlphaCo"],
+        "courantLimit": tier["maxCo"], "interfaceCourantLimit": tier["maxAlphaCo"], "interfaceSubCycles": 1,
     })]
 
 
