@@ -60,8 +60,8 @@ def test_restart(tutorial: str, coarser: int, deltaT: float, tolerance: float, t
         assert np.linalg.norm(last[0] - last[1]) < 0.03*travel
 
 
-@pytest.mark.parametrize("mesh, ranks, layer", [("overset", 1, "auto"), ("overset", 2, "auto"), ("single", 1, "auto"),
-                                                ("overset", 1, "wallFunction")])
+@pytest.mark.parametrize("mesh, ranks, layer", [("following", 1, "auto"), ("following", 2, "auto"), ("overset", 1, "auto"), ("single", 1, "auto"),
+                                                ("following", 1, "wallFunction")])
 def test_interruptedDive(mesh: str, ranks: int, layer: str, tmp_path: Path) -> None:
     """Stopped and started again, and killed while it wrote, a dive is bit for bit the one that went through."""
     whole = tmp_path / "whole"

@@ -145,7 +145,7 @@ void Foam::freeSurfaceFlow::chooseTimeStep(Time& time)
             )
         );
     const scalar factor = min(min(allowed, 1 + 0.1*allowed), scalar(1.2));
-    time.setDeltaT(min(factor*deltaT, maxDeltaT));
+    time.setDeltaT(restart::untied(time, min(factor*deltaT, maxDeltaT)));
     restart::alignTimeStep(time);
 
     Info<< "deltaT = " << time.deltaTValue() << endl;

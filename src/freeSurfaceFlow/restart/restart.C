@@ -24,6 +24,25 @@ Foam::fileName markOf(const Foam::Time& time)
     return time.timePath()/"uniform"/"unfinished";
 }
 
+
+//- Between written times that steps are to meet [s]; 0 if they need not
+Foam::scalar adjustableInterval(const Foam::Time& time)
+{
+    const Foam::dictionary& control = time.controlDict();
+    const Foam::word writes(control.getOrDefault<Foam::word>("writeControl", Foam::word::null));
+    return
+        writes == "adjustable" || writes == "adjustableRunTime"
+      ? control.get<Foam::scalar>("writeInterval")
+      : 0;
+}
+
+
+//- From now to the next of them [s]
+Foam::scalar untilNext(const Foam::Time& time, const Foam::scalar interval)
+{
+    return interval*(std::floor((time.value() + 0.5*time.deltaTValue())/interval) + 1) - time.value();
+}
+
 } // End anonymous namespace
 
 
@@ -180,16 +199,22 @@ Foam::IOobject Foam::restart::field(const word& name, const fvMesh& mesh)
 }
 
 
+Foam::scalar Foam::restart::untied(const Time& time, const scalar deltaT)
+{
+    const scalar interval = adjustableInterval(time);
+    const scalar count = interval > 0 ? untilNext(time, interval)/deltaT : 0;
+    return mag(count - std::floor(count) - 0.5) < 1e-6 ? (1 - 1e-5)*deltaT : deltaT;
+}
+
+
 void Foam::restart::alignTimeStep(Time& time)
 {
-    const dictionary& control = time.controlDict();
-    const word writes(control.getOrDefault<word>("writeControl", word::null));
-    if (writes != "adjustable" && writes != "adjustableRunTime")
+    const scalar interval = adjustableInterval(time);
+    if (interval <= 0)
     {
         return;
     }
 
-    const scalar interval = control.get<scalar>("writeInterval");
     const scalar start = time.startTime().value();
     const scalar deltaT = time.deltaTValue();
     const scalar nearby = 1e-3*deltaT;
@@ -198,9 +223,7 @@ void Foam::restart::alignTimeStep(Time& time)
         return;
     }
 
-    const scalar next =
-        interval*(std::floor((time.value() + 0.5*deltaT)/interval) + 1);
-    const scalar left = next - time.value();
+    const scalar left = untilNext(time, interval);
     const scalar aligned = left/max(scalar(1), std::round(left/deltaT));
     if (mag(aligned - deltaT) < nearby)
     {
