@@ -42,7 +42,7 @@ constexpr scalar leastReduction = 0.8;
 constexpr float overCorrection = 1.4;
 
 //- The coarser levels that are visited twice
-constexpr label lastTwice = 2;
+constexpr label lastTwice = 3;
 
 
 //- Cells of the processors' boundaries, as they are numbered on the other side

@@ -23,12 +23,15 @@ from plunge.studies.solverLogs import readLog
 from plunge.studies.tutorials import setUp
 
 PROFILED = {CONTROL: "profiling { active true; }"}
+# What every OpenFOAM has
+WITH_DILU = "solvers { p_rgh { preconditioner DILU; } p_rghFinal { preconditioner DILU; } }"
 AS_OURS = {
     **AS_STOCK,
     CONTROL: "application overInterDyMFoam; libs (overset fvMotionSolvers rigidBody plungeFunctionObjects);",
     "system/fvSchemes": f"ddtSchemes {{ default Euler; }} oversetInterpolation {{ {STOCK_STENCIL} }}",
+    "system/fvSolution": WITH_DILU,
 }
-AS_TUTORIAL = {**AS_OURS, "system/fvSolution": "PIMPLE { momentumPredictor no; nCorrectors 3; }"}
+AS_TUTORIAL = {**AS_OURS, "system/fvSolution": f"{WITH_DILU} PIMPLE {{ momentumPredictor no; nCorrectors 3; }}"}
 QUARTER_STEPS = {**AS_STOCK, CONTROL: "maxCo 0.25; maxAlphaCo 0.125; maxDeltaT 2.5e-5;"}
 MULTIGRID = {"system/fvSolution": "solvers { p_rgh { preconditioner { preconditioner GAMG; agglomerator algebraicPair; "
                                   "smoother GaussSeidel; nFinestSweeps 2; scaleCorrection no; nCellsInCoarsestLevel 100; "
