@@ -126,7 +126,7 @@ solvers
     "alpha.water.*" {{ nAlphaCorr 2; nAlphaSubCycles 1; cAlpha 1; icAlpha 0; MULESCorr yes; nLimiterIter 3; alphaApplyPrevCorr no;
         solver smoothSolver; smoother symGaussSeidel; tolerance 1e-12; relTol 0; }}
     "pcorr.*" {{ solver PCG; preconditioner DIC; tolerance 1e-12; relTol 0; }}
-    "p_rgh.*" {{ solver PBiCGStab; preconditioner DILU; tolerance 1e-11; relTol 0; }}
+    "p_rgh.*" {{ solver PBiCGStab; preconditioner aggregationMultigrid; tolerance 1e-11; relTol 0; }}
     "U.*" {{ solver smoothSolver; smoother symGaussSeidel; tolerance 1e-12; relTol 0; }}
     cellDisplacement {{ solver PCG; preconditioner DIC; tolerance 1e-6; relTol 0; }}
 }}

@@ -26,8 +26,16 @@ OURS, STOCK, REFERENCE = "plungeFoam", "overInterDyMFoam", "quarter steps"
 SAME, SINGLE, TUNED = "plungeFoam, stock's mesh and steps", "plungeFoam, single mesh", f"{STOCK}, this case's correctors"
 
 
+PROFILED = {CONTROL: "profiling { active true; }"}
+# What every OpenFOAM has for the pressure
+WITH_DILU = "solvers { p_rgh { preconditioner DILU; } p_rghFinal { preconditioner DILU; } }"
+MULTIGRID = {"system/fvSolution": "solvers { p_rgh { preconditioner { preconditioner GAMG; agglomerator algebraicPair; "
+                                  "smoother GaussSeidel; nFinestSweeps 2; scaleCorrection no; nCellsInCoarsestLevel 100; "
+                                  "directSolveCoarsest yes; } } p_rghFinal { $p_rgh; relTol 1e-3; } }"}
+
+
 def _changes(control: str = "", solution: str = "", schemes: str = "") -> dict[str, str]:
-    return {**AS_STOCK, CONTROL: f"profiling {{ active true; }} {control}", "system/fvSolution": solution, "system/fvSchemes": schemes}
+    return {**AS_STOCK, CONTROL: f"{PROFILED[CONTROL]} {control}", "system/fvSolution": solution, "system/fvSchemes": schemes}
 
 
 # The steps that all had when they were compared first, and correctors that are enough for them
@@ -41,8 +49,8 @@ DIVES = {
     OURS: ("auto", _changes()),
     SINGLE: ("single", _changes()),
     SAME: ("overset", _changes(_STEPS, f"{_CORRECTORS} {_ONE_CYCLE}")),
-    STOCK: ("overset", _changes(f"{_PROGRAM} {_STEPS}", f"PIMPLE {{ momentumPredictor no; nCorrectors 3; }} {_ONE_CYCLE}", _SCHEMES)),
-    TUNED: ("overset", _changes(f"{_PROGRAM} {_STEPS}", f"{_CORRECTORS} {_ONE_CYCLE}", _SCHEMES)),
+    STOCK: ("overset", _changes(f"{_PROGRAM} {_STEPS}", f"PIMPLE {{ momentumPredictor no; nCorrectors 3; }} {_ONE_CYCLE} {WITH_DILU}", _SCHEMES)),
+    TUNED: ("overset", _changes(f"{_PROGRAM} {_STEPS}", f"{_CORRECTORS} {_ONE_CYCLE} {WITH_DILU}", _SCHEMES)),
     REFERENCE: ("single", _changes("maxCo 0.25; maxAlphaCo 0.125; maxDeltaT 2.5e-5;", _ONE_CYCLE)),
 }
 FLOATING_END = 0.5  # [s]
@@ -91,3 +99,9 @@ def profile(run: Path) -> dict[str, float]:
     times = {name: float(time) for time, name in lines}
     total = times.pop("total")
     return {name: 100*time/total for name, time in times.items()}
+
+
+def iterations(run: Path) -> float:
+    """Of PBiCGStab, mean of the pressure's solutions."""
+    found = [int(n) for n in re.findall(r"Solving for p_rgh,.* No Iterations (\d+)", solver_log(run))]
+    return sum(found)/len(found)
