@@ -10,6 +10,8 @@ from plunge import case as cases, meridianMesh, scene as scenes
 from plunge.checks import ParameterError
 from plunge.methods import meshes, tiers
 from plunge.shapes import ShapeError, read_shape
+from plunge.studies.idealFlow import pressure as idealPressure
+from plunge.studies.references import REFERENCES
 
 PI = np.pi
 CONE = {"type": "coneCylinder", "halfAngle": 30, "radius": 0.1, "length": 0.5}
@@ -126,6 +128,18 @@ def test_meshes_in_the_plane(name: str) -> None:
 def csv(folder: Path, text: str) -> dict:
     (folder / "points.csv").write_text(text)
     return {"type": "meridian", "file": "points.csv"}
+
+
+@pytest.mark.parametrize("model", ["half", "axisymmetric"])
+def test_the_mesh_about_a_hollow_stern_reaches_far(model: str) -> None:
+    """SUBOFF's hull, whose stern is hollow, in 3.2 of its lengths: lines along its normals would cross."""
+    of_model({"type": "meridian", "file": str(REFERENCES / "Suboff/profile.csv")}, model)
+
+
+def test_sources_on_a_sphere_are_its_ideal_flow() -> None:
+    """Lamb 1932, art. 96: 3/2 of the stream's speed at the equator."""
+    found = idealPressure(shape({"type": "sphere", "radius": 0.5}).curve)
+    assert np.abs(found.value - (1 - 9 / 4 * (1 - (2 * found.time - 1) ** 2))).max() < 0.005
 
 
 def test_meridian_from_points_is_that_of_the_shape(tmp_path: Path) -> None:
