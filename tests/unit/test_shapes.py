@@ -206,6 +206,23 @@ def test_scene_by_itself(tmp_path: Path) -> None:
     assert tilted.lowest == pytest.approx(0.01 * tilted.scale) and tilted.nose[2] >= tilted.lowest
 
 
+def test_thrust_is_of_the_models_part(tmp_path: Path) -> None:
+    file = write(tmp_path / "rising", f"body {{ shape {{ type sphere; radius 0.1; }} density 1000; freedom axial; thrust {{ force 72; end 0.2; }} }} {WATER} "
+                                      "entry { speed 1; angle -90; depth 2; } duration 0.5;")
+    flat = cases.derive(file).flat
+    assert flat["thrustForce"] / 72 == pytest.approx(flat["modelledMass"] / flat["bodyMass"])
+    assert (flat["thrustStart"], flat["thrustEnd"]) == (0, 0.2) and flat["thrustAt"] == pytest.approx([0, 0, -1.9])
+    # Its mesh reaches as far as the thrust takes the body: at 72/(1.5 m) for 0.2 s
+    still = cases.derive(file, {"body.thrust.force": 1e-3}).scene
+    rise = 72 / (1.5 * flat["bodyMass"]) * 0.2 * 0.4
+    assert cases.derive(file).scene.heights[1] - still.heights[1] == pytest.approx(rise, rel=0.1)
+    assert cases.derive(file, {"method": "particles"}).flat["thrust"] == "yes"
+    for entries, expected in (({"method": "slenderBody"}, "entry thrust, which it leaves out"), ({"body.freedom": "prescribed"}, "freedom is prescribed"),
+                              ({"body.thrust.start": 0.3}, "the thrust ends at 0.2 s; expected less")):
+        with pytest.raises(ParameterError, match=expected):
+            cases.derive(file, entries)
+
+
 def test_inertia_about_principal_axes(tmp_path: Path) -> None:
     """Of a lopsided body the axes that it turns about are not the geometry's."""
     (tmp_path / "o.csv").write_text("0 0\n0.6 0.1\n1 0\n0.9 -0.3\n")
