@@ -23,7 +23,7 @@ HERE = STUDIES / "exit"
 SCENES = {name: readScene(HERE / name) for name in ("sphere", "spheroid", "vehicle")}
 LIGHT = ("sphere", "spheroid")
 ALLOWED, FALL, DRAG = 0.01, 0.02, 0.1
-LEVELS = ("fast 0.7", "fast", "fast 1.4")
+LEVELS = {"fast 0.5": ("quick", "full"), "fast 0.7": ("full",), "fast": ("full",)}
 
 
 def make(run: Run, path) -> None:
@@ -115,8 +115,7 @@ def curves(done, file) -> None:
 
 study = Study(
     title="Light bodies rise and leave the liquid, and the vehicle under thrust",
-    runs=[*(Run(name, "meshes", "", level) for name in SCENES for level in LEVELS if level == "fast" or name != "spheroid"),
-          *(Run(name, "meshes", "", "fast 0.5", ("quick",)) for name in ("sphere", "vehicle"))],
+    runs=[Run(name, "meshes", "", level, tiers) for name in SCENES for level, tiers in LEVELS.items() if level == "fast" or name != "spheroid"],
     solve=make, sources=("src/freeSurfaceFlow", "src/rigidBody", "src/boundaryLayer", "applications/solvers/plungeFoam",
                          *(f"validation/studies/exit/{name}" for name in SCENES)),
     quantities=[

@@ -87,4 +87,6 @@ def solve(run: Path, options: Sequence[str], scene: str | Path = "gannetPlunge")
     """Runs it to its end, by the options of plungeCase."""
     once(run, lambda: make(run, options, scene), "ready")
     if not isComplete(run, SOLVER):
+        # A run that was killed begins anew, and would leave its forces in another file beside
+        shutil.rmtree(run / "postProcessing", ignore_errors=True)
         call(run, SOLVER)
