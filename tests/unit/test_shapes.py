@@ -10,6 +10,8 @@ from plunge import case as cases, meridianMesh, scene as scenes
 from plunge.checks import ParameterError
 from plunge.methods import meshes, tiers
 from plunge.shapes import ShapeError, read_shape
+from plunge.studies.idealFlow import pressure as idealPressure
+from plunge.studies.references import REFERENCES
 
 PI = np.pi
 CONE = {"type": "coneCylinder", "halfAngle": 30, "radius": 0.1, "length": 0.5}
@@ -128,6 +130,17 @@ def csv(folder: Path, text: str) -> dict:
     return {"type": "meridian", "file": "points.csv"}
 
 
+def test_the_mesh_about_a_hollow_stern_reaches_far() -> None:
+    """SUBOFF's hull, whose stern is hollow, in 3.2 of its lengths: lines along its normals would cross."""
+    of_model({"type": "meridian", "file": str(REFERENCES / "Suboff/profile.csv")}, "axisymmetric")
+
+
+def test_sources_on_a_sphere_are_its_ideal_flow() -> None:
+    """Lamb 1932, art. 96: 3/2 of the stream's speed at the equator."""
+    found = idealPressure(shape({"type": "sphere", "radius": 0.5}).curve)
+    assert np.abs(found.value - (1 - 9 / 4 * (1 - (2 * found.time - 1) ** 2))).max() < 0.005
+
+
 def test_meridian_from_points_is_that_of_the_shape(tmp_path: Path) -> None:
     phi = np.linspace(PI, 0, 61)
     sphere = shape(csv(tmp_path, "x,r\n" + "\n".join(f"{0.5 + 0.5 * np.cos(a):.9f},{0.5 * np.sin(a):.9f}" for a in phi)), tmp_path)
@@ -191,6 +204,23 @@ def test_scene_by_itself(tmp_path: Path) -> None:
     assert made.scene.lowest == pytest.approx(0.01 * made.scene.scale) and made.scene.folder == tmp_path
     tilted = scenes.read(file, {"entry.attitude": 60, "body.freedom": "free"})
     assert tilted.lowest == pytest.approx(0.01 * tilted.scale) and tilted.nose[2] >= tilted.lowest
+
+
+def test_thrust_is_of_the_models_part(tmp_path: Path) -> None:
+    file = write(tmp_path / "rising", f"body {{ shape {{ type sphere; radius 0.1; }} density 1000; freedom axial; thrust {{ force 72; end 0.2; }} }} {WATER} "
+                                      "entry { speed 1; angle -90; depth 2; } duration 0.5;")
+    flat = cases.derive(file).flat
+    assert flat["thrustForce"] / 72 == pytest.approx(flat["modelledMass"] / flat["bodyMass"])
+    assert (flat["thrustStart"], flat["thrustEnd"]) == (0, 0.2) and flat["thrustAt"] == pytest.approx([0, 0, -1.9])
+    # Its mesh reaches as far as the thrust takes the body: at 72/(1.5 m) for 0.2 s
+    still = cases.derive(file, {"body.thrust.force": 1e-3}).scene
+    rise = 72 / (1.5 * flat["bodyMass"]) * 0.2 * 0.4
+    assert cases.derive(file).scene.heights[1] - still.heights[1] == pytest.approx(rise, rel=0.1)
+    assert cases.derive(file, {"method": "particles"}).flat["thrust"] == "yes"
+    for entries, expected in (({"method": "slenderBody"}, "entry thrust, which it leaves out"), ({"body.freedom": "prescribed"}, "freedom is prescribed"),
+                              ({"body.thrust.start": 0.3}, "the thrust ends at 0.2 s; expected less")):
+        with pytest.raises(ParameterError, match=expected):
+            cases.derive(file, entries)
 
 
 def test_inertia_about_principal_axes(tmp_path: Path) -> None:

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "../refusedInput.H"
+
 #include "freeBody.H"
 
 #include "IStringStream.H"
@@ -322,6 +324,59 @@ TEST(freeBody, springOscillates)
         error = max(error, mag(body->state().centreOfMass.z() - (3.1 - 0.1*std::cos(2*5.0*n/nSteps))));
     }
     EXPECT_LT(error, 4e-8);
+}
+
+
+TEST(freeBody, thrustHasItsImpulseWhateverTheSteps)
+{
+    // Turned by a right angle about z: 8 N along the body's x drive 2 kg along y, from within a step to within another
+    for (const scalar deltaT : {0.01, 0.03})
+    {
+        Body body
+        (
+            "(1 1 1)",
+            std::string(symplectic)
+          + "orientation (0 -1 0 1 0 0 0 0 1);"
+            "restraints"
+            "{"
+            "    motor"
+            "    {"
+            "        sixDoFRigidBodyMotionRestraint thrust;"
+            "        force 8; direction (2 0 0); refAttachmentPt (1 5 3); start 0.105; end 0.305;"
+            "    }"
+            "}"
+        );
+        body.time->setDeltaT(deltaT, false);
+        for (label n = 1; n*deltaT < 0.5; ++n)
+        {
+            body.time->setTime(n*deltaT, n);
+            body->advance(Zero, Zero, deltaT);
+        }
+        body->advance(Zero, Zero, deltaT);  // the acceleration of a step's end acts in the next one, too
+        EXPECT_LT(mag(body->state().velocity - vector(0, 0.8, 0)), 1e-12) << deltaT;
+        EXPECT_LT(mag(body->state().omega), 1e-12);
+    }
+}
+
+
+TEST(freeBody, thrustIsRefusedWithoutADirectionOrATime)
+{
+    for (const std::string wrong : {"direction (0 0 0);", "direction (1 0 0); start 2; end 1;", "direction (1 0 0); until 1;"})
+    {
+        expectRefusal
+        (
+            {"constant/body"},
+            [&]
+            {
+                Body
+                (
+                    "(1 1 1)",
+                    std::string(symplectic) + "restraints { motor { sixDoFRigidBodyMotionRestraint thrust; force 8; refAttachmentPt (0 0 0); "
+                  + wrong + " } }"
+                );
+            }
+        );
+    }
 }
 
 

@@ -224,8 +224,18 @@ def _common(scene: Scene, options: dict[str, Any], decided: dict[str, Decision],
             "modelledMass": share * scene.mass,
             "modelledMomentOfInertia": vector(share * inertia),
             "modelledVolume": share * shape.volume,
+            **_thrust(scene, share, nose @ turn.T),
         }),
     ]
+
+
+def _thrust(scene: Scene, share: float, nose: np.ndarray) -> dict[str, Any]:
+    """Of the model's part, along the axis, in the body's own axes."""
+    force, start, end = scene.thrust
+    if force == 0:
+        return {"thrust": "no"}
+    return {"thrust": "yes", "thrustForce": share * force, "thrustDirection": vector(scene.principal[1].T @ [1.0, 0.0, 0.0]),
+            "thrustAt": vector(nose), "thrustStart": start, "thrustEnd": end}
 
 
 def _copy(source: Path, target: Path, without: tuple[str, ...] = ()) -> None:

@@ -129,6 +129,11 @@ def _outer_stretching(size: MeshSize, offset: float, stretching: float) -> float
     return brentq(lambda b: (size.reach - offset) * _share(b, 1 / size.outer_layers) - last, 1e-3, 50)
 
 
+def _monotone(angle: np.ndarray) -> np.ndarray:
+    """Angles that nowhere grow from nose to tail, so that lines do not cross however far they reach: those of a hollow are made one."""
+    return (np.minimum.accumulate(angle) + np.maximum.accumulate(angle[::-1])[::-1]) / 2
+
+
 class Meridian:
     """The grid in a half plane through the axis: point(u, t) with u in [0, sum(axial_cells)], t in [0, layers + outer_layers]."""
 
@@ -168,7 +173,7 @@ class Meridian:
         # Where the normal jumps (a pointed nose or tail, corners) the lines turn to the mean of its two angles, at the wall just
         # before the jump, at the outer surface from well before the cap, to keep it round. The powers were chosen for the least
         # non-orthogonality of a pointed tail.
-        def turned(width: float, exponent: float) -> PchipInterpolator:
+        def turned(width: float, exponent: float) -> np.ndarray:
             parts = []
             for piece in pieces:
                 angle, at = angles[piece], all_u[piece]
@@ -182,10 +187,10 @@ class Meridian:
                     weight = np.clip(1 - (at - corners[piece]) / width, 0, 1) ** exponent
                     angle = angle * (1 - weight) + middle * weight
                 parts.append(angle)
-            return PchipInterpolator(u, np.concatenate(parts))
+            return np.concatenate(parts)
 
-        self._wall_angle = turned(cap, 6)
-        self._outer_angle = turned(1.7 * cap, 1.8)
+        self._wall_angle = PchipInterpolator(u, turned(cap, 6))
+        self._outer_angle = PchipInterpolator(u, _monotone(turned(1.7 * cap, 1.8)))
 
         middle = np.clip(np.interp(curve.widest, c, u), cap, total - cap)
         knots = [0, middle, u[-1]]

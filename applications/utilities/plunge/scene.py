@@ -30,6 +30,10 @@ _BODY_OPTIONAL: dict[str, Check] = {
     "tail.volumeCoefficient": positive,
     "tail.aspectRatio": positive,
     "tail.position": positive,  # aft of the nose [m]
+    # Along the body's axis, forward
+    "thrust.force": positive,
+    "thrust.start": not_negative,
+    "thrust.end": positive,
 }
 _ENTRY: dict[str, Check] = {
     "speed": not_negative,
@@ -239,6 +243,12 @@ class Scene:
         inertia, axes = self.principal
         return inertia * (axes.T @ self.spin)
 
+    @property
+    def thrust(self) -> tuple[float, float, float]:
+        """Force along the body's axis [N], from when to when [s]; 0 where there is none"""
+        given = self.given
+        return given.get("body.thrust.force", 0.0), given.get("body.thrust.start", 0.0), given.get("body.thrust.end", self.duration)
+
     # --- how long
 
     @property
@@ -261,7 +271,10 @@ class Scene:
         elif "travel" in self.given:
             straight = self.nose + self.given["travel"] * self.shape.length * self.heading
         else:
-            straight = self.nose + self.speed * self.duration * self.heading
+            force, start, stop = self.thrust
+            acts = max(0.0, min(stop, self.duration) - start)
+            driven = force / self.mass * acts * (self.duration - start - acts / 2)
+            straight = self.nose + self.speed * self.duration * self.heading + driven * self.forward * [1.0, 1.0, 0.0]
         deepest, highest = self.heights
         stray = _STRAY * self.shape.length
         if deepest < min(straight[2], self.nose[2]) - stray:
@@ -285,12 +298,15 @@ class Scene:
         displaced = self.fluids["liquidDensity"] * self.shape.volume / self.mass
         added = slenderness if self.shape.dimensions == 2 else 0.5 * slenderness**1.4
         heave = sqrt(gravity * max(displaced, 1.0) / height)
+        force, start, stop = self.thrust
+        driven = force / self.mass * float(self.forward[2])
         steps = ceil(min(1e5, max(_PATH_STEPS, _HEAVE_STEPS * heave * self.duration)))
         step = self.duration / steps
         deepest = highest = nose
-        for _ in range(steps):
+        for number in range(steps):
             wet = min(1.0, max(0.0, -(nose + low) / height)) * displaced
-            rise += gravity * (wet - 1) / (1 + added * wet) * step
+            drive = driven if start <= number * step < stop else 0.0
+            rise += (gravity * (wet - 1) + drive) / (1 + added * wet) * step
             nose += rise * step
             deepest, highest = min(deepest, nose), max(highest, nose)
             if self.given.get("until") == "immersed" and nose + low < -2 * height:
@@ -412,6 +428,14 @@ def _check_consistency(scene: Scene) -> None:
     if scene.freedom == "fixed" and (scene.speed > 0 or scene.spin.any()):
         raise ParameterError(f"{source}: entry 'body.freedom' is fixed, but the body has a speed or a spin; expected speed 0, or freedom "
                              "prescribed")
+    if "body.thrust.start" in given or "body.thrust.end" in given or "body.thrust.force" in given:
+        if scene.freedom in ("fixed", "prescribed"):
+            raise ParameterError(f"{source}: entry 'body.thrust' is given, but freedom is {scene.freedom}; expected axial, planar or free")
+        force, start, stop = scene.thrust
+        if force == 0:
+            raise ParameterError(f"{source}: entry 'body.thrust.force' is missing; expected the force along the body's axis [N]")
+        if stop <= start:
+            raise ParameterError(f"{source}: entry 'body.thrust.start' is {start:g}, but the thrust ends at {stop:g} s; expected less")
     if scene.speed == 0 and "travel" in given:
         raise ParameterError(f"{source}: entry 'travel' is given, but the speed is 0; expected duration")
     if scene.speed == 0 and scene.fluids["gravity"] == 0 and "duration" not in given and scene.freedom not in ("fixed",):

@@ -45,6 +45,9 @@ def check(scene: Scene) -> None:
     if not scene.shape.isRevolution:
         raise ParameterError(f"{scene.source}: -method slenderBody, but the shape {scene.given['body.shape']['type']} is none of revolution; "
                              "expected one that is, or -method meshes or particles")
+    if scene.thrust[0]:
+        raise ParameterError(f"{scene.source}: -method slenderBody, but the body has an entry thrust, which it leaves out; expected none, or "
+                             "-method meshes or particles")
 
 
 def sections(slender: Slender) -> list[tuple[str, dict[str, Any]]]:
