@@ -2,7 +2,7 @@
 """The dive of IAC-20-E2.1.9 by its own formulation, and what becomes of its claims with other choices and on the mesh.
 
 cases/astraeusPaper: eqs. 2 to 6 and 8, 500 neighbours, Q1 = 0.1, springs of contact, a closed tank; neither the paper's tank nor its spacing is known, here
-1 m, the depth of its k0, and 25 mm, 64,000 particles in the whole tank (its licence had 10,000 nodes). Variants change one choice each; "absorbing" has a
+1 m, the depth of its k0, and 50 mm, 8,000 particles in the whole tank, for its licence had 10,000 nodes; finer ones say what that does. Variants change one choice each; "absorbing" has a
 boundary that lets sound leave, the twin that tells what is reflected. Accelerations are means of 0.5 ms. Judged is what physics asks for: decelerations of
 one body in two liquids whose forces go with their densities, a reflected wave no earlier than sound can come back, single as double."""
 import math
@@ -18,7 +18,7 @@ from plunge.studies.scenes import prepare, solve
 from plunge.studies.signals import Signal, rms
 from plunge.studies.study import Done, Quantity, Run, Study
 
-CASE, SPACING, END = "astraeusPaper", "0.025 m", 0.01
+CASE, SPACING, FINER, END = "astraeusPaper", 0.05, (0.035, 0.025), 0.01    # [m], [s]
 WINDOW, APART, ARRIVED = 5e-4, 0.1, 0.02    # [s], of the largest deceleration, of that
 DENSITIES, NEAREST = {"titan": 664.0, "water": 998.207}, 0.5    # [kg/m3]; from the point of contact to the tank's sides [m]
 TWINS = {**{f"titan, {how}": "titan, as in the paper" for how in ("double precision", "eq. 1", "eq. 7")},
@@ -27,9 +27,10 @@ ABSORBING = "absorption { min (-0.5 0 -1); max (0.5 0.5 0); thickness 0.15; surf
 SOFT = "#remove speedOfSound\nspeedOfSound { c0 %s; }\nCourant 0.5;"
 
 
-def dives(variant: str, changes: str = "", liquids: tuple[str, ...] = ("titan", "water"), **given: object) -> list[Run]:
-    return [Run(CASE, "particles", f"{liquid}, {variant}", SPACING, given={"options": ["-fluids", liquid, *given.get("options", [])],
-            "changes": {PROPERTIES: f"geometry {{ spacing {SPACING.split()[0]}; }}\n{changes}"}}) for liquid in liquids]
+def dives(variant: str, changes: str = "", liquids: tuple[str, ...] = ("titan", "water"), spacing: float = SPACING, tiers: tuple[str, ...] = ("full",),
+          options: tuple[str, ...] = ()) -> list[Run]:
+    return [Run(CASE, "particles", f"{liquid}, {variant}", f"{spacing:g} m", tiers, given={"options": ["-fluids", liquid, *options],
+            "changes": {PROPERTIES: f"geometry {{ spacing {spacing:g}; }}\n{changes}"}}) for liquid in liquids]
 
 
 def solveDive(run: Run, path: Path) -> None:
@@ -38,14 +39,12 @@ def solveDive(run: Run, path: Path) -> None:
 
 
 RUNS = [
-    *dives("as in the paper"), *dives("double precision", "precision double;", ("titan",)), *dives("eq. 1", "momentum solid;", ("titan",)),
+    *dives("as in the paper", tiers=("quick", "full")), *(run for spacing in FINER for run in dives("as in the paper", spacing=spacing)), *dives("double precision", "precision double;", ("titan",)), *dives("eq. 1", "momentum solid;", ("titan",)),
     *dives("eq. 7", "contact { stiffness segment; factor 0.1; bulkModulus 1e9; thickness 0.05; }", ("titan",)),
     *dives("absorbing", ABSORBING, ("titan",)),
     *dives("eq. 5", SOFT % 250), *dives("eq. 5, absorbing", SOFT % 250 + "\n" + ABSORBING, ("titan",)),
-    *dives("real sound", SOFT % 1983, ("titan",), options=["-set", "duration=0.005"]),
-    *(Run(CASE, "meshes", f"{liquid}, mesh", "fast 0.7", given={"options": ["-fluids", liquid]}) for liquid in DENSITIES),
-    Run(CASE, "particles", "titan, as in the paper", "0.05 m", ("quick",), given={"options": ["-set", "duration=0.002"], "changes": {
-        PROPERTIES: "geometry { spacing 0.05; }"}})]
+    *dives("real sound", SOFT % 1983, ("titan",), options=("-set", "duration=0.005")),
+    *(Run(CASE, "meshes", f"{liquid}, mesh", "fast 0.7", given={"options": ["-fluids", liquid]}) for liquid in DENSITIES)]
 
 
 def track(done: Done):

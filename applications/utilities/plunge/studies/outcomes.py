@@ -18,7 +18,7 @@ FINISHED, REFUSED, CRASH, HANG = "finished", "refused", "crash", "hang"
 LIMIT = 900     # [s] of waiting for a command: far more than any of these runs takes on a busy machine
 
 # What a command says that has come down instead of refusing
-_DOWN = re.compile(r"Traceback \(most recent call|Segmentation fault|Floating point exception|Aborted|core dumped|printStack|sigFpe::|sigSegv::|"
+_DOWN = re.compile(r"Traceback \(most recent call|Segmentation fault|Floating point exception(?! trapping)|Aborted|core dumped|printStack|sigFpe::|sigSegv::|"
                    r"terminate called")
 ERROR = r"\b[Ee]xpected\b"  # what this repository's errors say
 
