@@ -105,6 +105,8 @@ row("circle", PARTICLES, "falls in the air", FALL, "entry={ speed 0; gap 0.3; }|
 # Liquids at the ends of what they are
 for temperature, error in ((60, "expected 63"), (130, "to 125 K")):
     row("lake", STRIPS, f"Kraken at {temperature} K", "", f"fluids.temperature={temperature}", error=error, resolution=1, quick=temperature == 60)
+row("lake", STRIPS, "Kraken at 66 K, which may freeze", sets="fluids.temperature=66", error="expected", says="may freeze", resolution=1, quick=True)
+row("lake", STRIPS, "Kraken at 100 K, above its bubble point", sets="fluids.temperature=100", error="expected", says="superheated", resolution=1, quick=True)
 # Particles: sound slower than the body, neighbours, float far away
 row("wedge", PARTICLES, "sound at 0.4 of the speed", TWIN, "", "25 m/s", says=PAPER, options="-soundSpeed 10")
 for neighbours, error in ((10, "neighbours"), (12, ""), (500, "")):
@@ -240,7 +242,7 @@ def finished(name: str, value, reference: float, tolerance: float) -> Quantity:
 
 study = Study(
     title="At the extremes a run is right, degraded and says so, or refused; never silently wrong",
-    runs=runs, solve=solve, sources=("src", "applications", "etc/methods", "validation/studies/extremes/scenes"),
+    runs=runs, solve=solve, sources=("src/freeSurfaceFlow", "src/smoothedParticles", "src/slenderBody", "src/rigidBody", "applications/solvers", "etc/methods", "validation/studies/extremes/scenes"),
     quantities=[
         finished(TWIN, over_twin(impulse), 1, 0.01), finished(RELEASE, release, 1, 0.03), finished(SLAP, slap, 1, 0.1), finished(TANK, tank, 1, 0.01),
         finished(FALL, fall, 1, 0.01), finished(CREEP, over_twin(creep), 1, 0.01),
