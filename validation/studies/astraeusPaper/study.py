@@ -50,7 +50,7 @@ RUNS = [
     *dives("real sound", SOFT % 1983, ("titan",), options=("-set", "duration=0.005")),
     *(Run(RIG, "particles", liquid, "fast 0.5", given={"options": ["-fluids", liquid, "-set", f"duration={0.8*slower:.8g}", "-set", f"maxSpeed={3.4/slower:.8g}",
                                                                     "-set", f"interval={0.002*slower:.8g}"]}) for liquid, slower in SLOWER.items()),
-    *(Run(CASE, "meshes", f"{liquid}, mesh", "fast 0.7", given={"options": ["-fluids", liquid]}) for liquid in DENSITIES)]
+    *(Run(CASE, "meshes", f"{liquid}, mesh", "fast 0.5", given={"options": ["-fluids", liquid]}) for liquid in DENSITIES)]
 
 
 def track(done: Done):
@@ -162,7 +162,7 @@ def over_mesh(value):
 
 
 def figure(done: list[Done], file: Path) -> None:
-    curves = {each.run.variant: deceleration(each) for each in done if each.run.scene == CASE and each.run.resolution in (f"{SPACING:g} m", "fast 0.7")}
+    curves = {each.run.variant: deceleration(each) for each in done if each.run.scene == CASE and each.run.resolution in (f"{SPACING:g} m", "fast 0.5")}
     draw(file, [({"title": title, "xlabel": "time [s]", "ylabel": "deceleration [m/s2]"}, {}, {name: curves[name] for name in names if name in curves})
                 for title, names in (
                     ("the paper's formulation, and the mesh", [f"{liquid}, {how}" for how in ("as in the paper", "mesh") for liquid in DENSITIES]),
