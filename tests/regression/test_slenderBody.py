@@ -115,6 +115,20 @@ def test_floatsBackToTheSurface(tmp_path: Path) -> None:
     assert abs(extent["high_m"][-1]) < 1e-4 and table["vz_m_s"][-1] > 0 and table["penetration_m"].max() > 5
 
 
+@pytest.mark.parametrize("entries, note", [
+    ({}, "there is no ricochet, which spheres of this density have below"), ({"entry.angle": 90}, ""), ({"body.freedom": "axial"}, ""),
+    ({"entry.depth": 2}, ""), ({"entry.angle": 90, "entry.attitude": -90}, "a tail that enters first has none"),
+    ({"entry.angle": 90, "fluids.liquidViscosity": 100}, "below 1000 there is no boundary layer")])
+def test_whatAnEntryLacksIsSaid(entries: dict, note: str, tmp_path: Path) -> None:
+    """Each where it applies, and only there."""
+    (tmp_path/"scene").write_text("body { shape { type spheroid; length 1; diameter 0.2; } density 900; freedom free; }\n"
+                                  "fluids { liquid water; gas earthAir; }\nentry { speed 5; angle 30; }\nduration 0.001;\n")
+    run = solved(tmp_path/"run", tmp_path/"scene", *(word for name, value in entries.items() for word in ("-set", f"{name}={value}")))
+    said = (run/"log.slenderBody").read_text()
+    found = [each for each in ("no ricochet", "enters first", "no boundary layer") if each in said]
+    assert len(found) == bool(note) and note in said
+
+
 def test_stratifiedLakesBearBodiesAtTheirDepth(tmp_path: Path) -> None:
     """A body that is as heavy as the liquid at some depth comes to rest there."""
     scene = tmp_path/"scene"

@@ -12,6 +12,7 @@ from plunge import boundaryLayer, case as cases, estimate, fluids as pairs, foam
 from plunge import scene as scenes
 from plunge.checks import ParameterError
 from plunge.methods import meshes, tiers
+from plunge.results import read_scene
 from plunge.shapes import NACA
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -243,7 +244,7 @@ def test_several_bodies_and_no_scene_are_refused(case: Path) -> None:
 
 def test_fluids_are_those_of_titanProperties_unless_typed(case: Path) -> None:
     fluids = pairs.resolve("kraken", "here")[1]
-    lake = pairs.fluid_properties("Kraken", 92, "here")
+    lake = pairs.fluid_properties("Kraken", 92, "here")[0]
     assert (fluids["liquidDensity"], fluids["liquidViscosity"], fluids["surfaceTension"]) == \
         (lake["rho"], lake["mu"], lake["sigma"])
     # A colder lake, under colder air, is denser; the surface's pressure and gravity are the place's
@@ -445,6 +446,21 @@ def test_decisions_are_printed_and_written(case: Path) -> None:
         "boundary layer: frictionLine (Re = 1.64e+07, above transition at 5e+05)", "surface tension: off (We = 1.33e+07)",
         "compressibility: none (Ma = 0.0126 in the liquid, 0.128 in the gas)"]
     assert plungeCase(case, "-boundaryLayer", "none").stdout.strip() == str(case / "run/titan-fast-none")
+
+
+@pytest.mark.parametrize("options, note", [
+    ((), ""), (("-set", "tier.noseSpacing=0.02"), "nose: its diameter, 0.022 m, has 1.1 cells along it"), (("-set", "tier.maxAlphaCo=2"), "steps: Courant numbers up to 1, at the interface 2"),
+    (("-set", "fluids={ liquid water; gas earthAir; gasDensity 0.01; }"), "gas: 1e-05 of the liquid's density"),
+    (("-set", "fluids={ liquid Kraken; gas titanAir; temperature 100; }"), "liquid Kraken: The liquid is superheated"),
+    (("-set", "fluids={ liquid Kraken; gas titanAir; temperature 66; }"), "liquid Kraken: The liquid may freeze"),
+    (("-set", "body.tail={ volumeCoefficient 1; }"), "tail: -method slenderBody has it")])
+def test_notes_on_the_scene_go_into_the_report(case: Path, options: tuple, note: str) -> None:
+    """What plungeCase doubts is told with the results, too."""
+    said = plungeCase(case, *options, "-run", "run/a").stderr
+    (case / "run/a/log.plungeFoam").write_text("Scene\n    models      : body\n    Note: Gravity is off.\n")
+    notes = read_scene(case / "run/a").notes
+    assert (len(notes) > 1) == bool(note) and notes[-1] == "Gravity is off."
+    assert not note or notes[0].startswith(note) and notes[0] in said.splitlines()
 
 
 @pytest.mark.parametrize("overrides, model, mesh", [

@@ -193,4 +193,5 @@ def sections(decided: dict[str, Decision], scene: Scene, method: str) -> dict[st
         **({"transitionReynolds": scene.transition} if method != "particles" else {}),
         "surfaceTensionModelled": decided["surface_tension"].choice,
         "decisions": described(**decided),
+        **({"notes": list(scene.notes)} if scene.notes else {}),
     }

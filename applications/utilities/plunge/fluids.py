@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import os
+import re
 import subprocess
 from pathlib import Path
 from typing import Any
@@ -38,8 +39,8 @@ _FROM_FLUID = {
 }
 
 
-def fluid_properties(name: str, temperature: float | None, source: str) -> dict[str, Any]:
-    """What titanProperties says of a fluid, by OpenFOAM's names (SI units), at its own or a given temperature [K]."""
+def fluid_properties(name: str, temperature: float | None, source: str) -> tuple[dict[str, Any], list[str]]:
+    """What titanProperties says of a fluid, by OpenFOAM's names (SI units), at its own or a given temperature [K]; and its warnings."""
     command = ["titanProperties", name, "-format", "foam"]
     if temperature is not None:
         command += ["-T", f"{temperature:.12g}"]
@@ -50,12 +51,12 @@ def fluid_properties(name: str, temperature: float | None, source: str) -> dict[
         raise ParameterError("titanProperties is not on the PATH; expected ./Allwmake and . etc/bashrc before") from None
     if done.returncode:
         raise ParameterError(f"{source}: {done.stderr.strip()}")
-    return foamDictionary.parse(done.stdout, " ".join(command))
+    return foamDictionary.parse(done.stdout, " ".join(command)), re.findall(r"^titanProperties: warning: (.+)", done.stderr, re.M)
 
 
-def _resolved(entries: dict[str, Any], source: str) -> dict[str, Any]:
-    """The numbers of a pair of fluids: those typed, and those of the fluids named by `liquid` and `gas`."""
-    given = dict(entries)
+def _resolved(entries: dict[str, Any], source: str) -> tuple[dict[str, Any], list[str]]:
+    """The numbers of a pair of fluids: those typed, and those of the fluids named by `liquid` and `gas`; and what is doubtful of these."""
+    given, notes = dict(entries), []
     names = {role: given.pop(role, None) for role in ("liquid", "gas")}
     temperature = given.pop("temperature", None)
     if temperature is not None and not positive[1](temperature):
@@ -66,17 +67,18 @@ def _resolved(entries: dict[str, Any], source: str) -> dict[str, Any]:
             continue
         if not isinstance(name, str):
             raise ParameterError(f"{source}: entry '{role}' is {name}; expected a fluid of titanProperties -list")
-        known = fluid_properties(name, temperature, source)
+        known, doubts = fluid_properties(name, temperature, source)
+        notes += [f"{role} {name}: {doubt}" for doubt in doubts]
         given.update({entry: known[key] for entry, key in wanted.items() if key in known})
         missing = [entry for entry, key in wanted.items() if key not in known]
         if missing:
             raise ParameterError(f"{source}: entry '{missing[0]}' is missing, and {role} {name} does not give it; "
                                  f"expected {_PROPERTIES[missing[0]][0]}")
-    return checked(given, source, _PROPERTIES)
+    return checked(given, source, _PROPERTIES), notes
 
 
-def resolve(entry: Any, source: str) -> tuple[str, dict[str, Any]]:
-    """A name and the properties (SI units) of a scene's entry `fluids`: the name of a pair of etc/fluids, or a dictionary
+def resolve(entry: Any, source: str) -> tuple[str, dict[str, Any], list[str]]:
+    """A name, the properties (SI units) and what is doubtful of a scene's entry `fluids`: the name of a pair of etc/fluids, or a dictionary
     { liquid water; gas earthAir; } with any property in place of the fluid's. What a pair of the same two fluids says of them
     holds for these, too: surface pressure, gravity."""
     pairs = foamDictionary.read(PAIRS)
@@ -84,7 +86,7 @@ def resolve(entry: Any, source: str) -> tuple[str, dict[str, Any]]:
         if entry not in pairs:
             raise ParameterError(f"{source}: entry 'fluids' is {entry}; expected one of: {' '.join(pairs)}, or a dictionary "
                                  "{ liquid ...; gas ...; }")
-        return entry, _resolved(pairs[entry], f"{PAIRS}, {entry}")
+        return entry, *_resolved(pairs[entry], f"{PAIRS}, {entry}")
     if not isinstance(entry, dict):
         raise ParameterError(f"{source}: entry 'fluids' is {foamDictionary.format_value(entry)}; expected one of: {' '.join(pairs)}, "
                              "or a dictionary { liquid ...; gas ...; }")
@@ -92,4 +94,4 @@ def resolve(entry: Any, source: str) -> tuple[str, dict[str, Any]]:
     place = next((pair for pair in pairs.values() if pair.get("gas") == entry.get("gas")), {})
     known = dict(alike) if alike else {key: place[key] for key in ("surfacePressure", "gravity") if key in place}
     name = str(entry.get("liquid", "fluids"))
-    return name, _resolved({**known, **entry}, f"{source}, fluids")
+    return name, *_resolved({**known, **entry}, f"{source}, fluids")

@@ -12,6 +12,8 @@ from typing import Sequence
 
 import numpy as np
 
+from plunge import foamDictionary
+
 Table = dict[str, np.ndarray]  # column name (with unit) -> values
 Quantities = dict[str, tuple[float, str]]  # name -> (value, unit)
 
@@ -383,7 +385,7 @@ def solver_log(case: Path) -> str:
 
 @dataclass(frozen=True)
 class Scene:
-    """What the solver models, and its notes on what it leaves out."""
+    """What the solver models, and notes: those of plungeCase on the scene, and the solver's on what it leaves out."""
 
     models: str = ""
     notes: tuple[str, ...] = ()
@@ -394,14 +396,15 @@ def read_scene(case: Path) -> Scene:
     empty where it says nothing or is not kept."""
     if not (case / f"log.{solver_name(case)}").is_file():
         return Scene()
-    log = solver_log(case)
+    log, generated = solver_log(case), case / PARAMETERS
+    warned = foamDictionary.read(generated).get("notes", []) if generated.is_file() else []
     blocks = re.findall(r"^Scene\n((?:    .*\n)+)", log, re.M)
     if not blocks:
-        return Scene()
+        return Scene(notes=tuple(warned))
     models = re.search(r"^    models +: (.+)", blocks[-1], re.M)
     # What a run has shown holds for all that went before, too
     shown = re.findall(r"^(?:Run\n +)?Note: (.*\S)", log, re.M)
-    return Scene(models[1].strip() if models else "", tuple(dict.fromkeys([*shown, *re.findall(r"^    Note: (.*\S)", blocks[-1], re.M)])))
+    return Scene(models[1].strip() if models else "", tuple(dict.fromkeys([*shown, *warned, *re.findall(r"^    Note: (.*\S)", blocks[-1], re.M)])))
 
 
 def particle_counts(case: Path) -> tuple[int, int]:

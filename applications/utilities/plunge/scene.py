@@ -396,10 +396,10 @@ def read(path: Path, overrides: dict[str, Any] = {}) -> Scene:
         shape = read_shape(shape_entries, folder_of(file), source)
     except ShapeError as error:
         raise ParameterError(str(error)) from None
-    name, fluids = fluid_pairs.resolve(entries["fluids"], source)
+    name, fluids, doubts = fluid_pairs.resolve(entries["fluids"], source)
     if "body.mass" not in given and "body.density" not in given:
         given["body.density"] = fluids["liquidDensity"]  # moves as prescribed, whatever its mass
-    scene = Scene({**given, "body.shape": shape_entries}, file, source, shape, fluids, name, list(shape.notes))
+    scene = Scene({**given, "body.shape": shape_entries}, file, source, shape, fluids, name, [*shape.notes, *doubts])
     _check_consistency(scene)
     return scene
 

@@ -238,11 +238,11 @@ def read(path: Path, overrides: dict[str, Any] = {}) -> Tank:
 
     gauges = _points(entries.get("gauges", {}), "gauges", source, numbers, lambda place: outside(place, slice(0, 3)))
     probes = _points(entries.get("probes", {}), "probes", source, numbers, in_obstacle)
-    name, fluids = fluid_pairs.resolve(entries["fluids"], source)
+    name, fluids, doubts = fluid_pairs.resolve(entries["fluids"], source)
     if fluids["gravity"] == 0:
         raise ParameterError(f"{source}: entry 'fluids' has no gravity; expected gravity above 0, by which a tank holds its liquid")
     return Tank({**numbers_only, "tank": tank}, file, source, size, numbers == 2, open_, tank.get("walls", WALLS[0]), liquid, obstacles,
-                gauges, probes, fluids, name)
+                gauges, probes, fluids, name, doubts)
 
 
 def _common(one: Box, other: Box) -> float:

@@ -3,6 +3,7 @@
 #include "diveTables.H"
 
 #include "inputChecks.H"
+#include "unitConversion.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -78,6 +79,29 @@ void Foam::slenderBody::diveTables::printScene(Ostream& os, const slenderPropert
     {
         os  << "    Note: The body is " << slenderness << " as wide as long: strips, form factor and cross-flow drag are for slender ones, a"
             << " quarter or less." << nl;
+    }
+    const scalar U = mag(properties.velocity);
+    const scalar climb = U > 0 ? properties.velocity.z()/U : 0;
+    if
+    (
+        (properties.freedom == freedomType::planar || properties.freedom == freedomType::free)
+     && properties.centreOfMass.z() > properties.surfaceLevel && climb < 0 && climb > -1 + 1e-9
+    )
+    {
+        const scalar specificGravity = properties.mass/(body.volume()*liquid.density(0));
+        os  << "    Note: The body comes down at an angle of " << radToDeg(std::asin(-climb)) << " deg. What of it is wetted from below has no force"
+            << " across the axis here: its entry turns it too little, and there is no ricochet, which spheres of this density have below "
+            << 18/std::sqrt(specificGravity) << " deg (Johnson and Reid 1975)." << nl;
+    }
+    if (properties.centreOfMass.z() > properties.surfaceLevel && (properties.orientation & vector(1, 0, 0)).z() > 0)
+    {
+        os  << "    Note: The tail is below the nose: the force of an entry is that of a nose, and a tail that enters first has none." << nl;
+    }
+    const scalar Re = liquid.viscosity(0) > 0 ? liquid.density(0)*U*body.length()/liquid.viscosity(0) : GREAT;
+    if (properties.hasFriction && U > 0 && Re < 1000)
+    {
+        os  << "    Note: The Reynolds number is " << Re << ": below 1000 there is no boundary layer, and the friction of one is far from the drag"
+            << " of a liquid that creeps." << nl;
     }
     if (properties.tail.area > 0)
     {

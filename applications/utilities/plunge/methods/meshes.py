@@ -26,6 +26,12 @@ _SINGLE_OUTER_LAYERS = {"half": 1.5, "full": 1.5, "axisymmetric": 1.5, "plane": 
 _SLENDER = 5.0
 # Spacing at the nose of a blunt body at most, over its largest radius: all of the forebody meets the liquid at once
 _BLUNT_SPACING = 0.125
+# Radius of a round nose over the cells along it, at least: with half of that the force of its contact is four times what it is
+_NOSE_CELLS = 1.0
+# Courant numbers of all tiers, in the flow and at the interface: beyond them the error grows unseen
+_TIER_COURANT = {"maxCo": 2.0, "maxAlphaCo": 1.0}
+# Gas over liquid density below which single steps of the force are not to be trusted
+_THIN_GAS = 1e-4
 # Pressure corrections: the flow at the corners of blunt bodies wants a second one, and larger Courant numbers do; larger diffusion
 # numbers, for which the solver asks, a third
 _CORRECTIONS = {"half": 1, "full": 1, "axisymmetric": 2, "plane": 2}
@@ -215,6 +221,17 @@ def sections(meshes: Meshes, decided: dict[str, Decision]) -> list[tuple[str, di
         turbulence = [("Turbulence of the undisturbed fluids, too weak to act on the flow: intensity 0.033 %, "
                        "eddy viscosity 4e-7 speed length", {"freeStreamK": k, "freeStreamOmega": omega})]
 
+    nose = scene.shape.nose_radius
+    if 0 < nose < _NOSE_CELLS * body.finest:
+        scene.notes.append(f"nose: its diameter, {2 * nose:.3g} m, has {2 * nose / body.finest:.2g} cells along it: the force of its contact comes out far "
+                           f"too large; expected {2 * _NOSE_CELLS:g} at least, of a finer tier or -resolution")
+    if any(tier[name] > most for name, most in _TIER_COURANT.items()):
+        scene.notes.append(f"steps: Courant numbers up to {tier['maxCo']:g}, at the interface {tier['maxAlphaCo']:g}; those of the tiers are "
+                           f"{' and '.join(f'{most:g}' for most in _TIER_COURANT.values())}, with larger ones forces are some per cent off")
+    thin = scene.fluids["gasDensity"] / scene.fluids["liquidDensity"]
+    if thin < _THIN_GAS:
+        scene.notes.append(f"gas: {thin:.2g} of the liquid's density: the force has peaks of single steps, and the flow about the surface may diverge; "
+                           "a gas of a thousandth does as little to the body")
     background = _background(meshes, body.reach) if meshes.mesh != "single" else None
     cells = body.cells + (background.cells if background else 0)
     # By the flow about the nose: what dives of the fast tier take on average

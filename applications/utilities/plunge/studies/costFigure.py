@@ -14,7 +14,7 @@ def errorAgainstCost(title: str, rows: Sequence[Row], file: Path) -> None:
     """Of judged figures whose reference is a number: how far they are off it, over its value where it has one; none, no figure."""
     points: dict[tuple[str, ...], list[tuple[float, float]]] = {}
     for row in rows:
-        if isinstance(row.reference, (int, float)) and row.cpu_s:
+        if isinstance(row.reference, (int, float)) and row.cpu_s and row.verdict in ("", "yes", "no"):
             error = abs(row.value - row.reference)/(abs(row.reference) or 1)
             points.setdefault((row.quantity, row.method, row.variant), []).append((float(row.cpu_s), error))
     points = {name: sorted(of) for name, of in points.items() if len(of) > 1}

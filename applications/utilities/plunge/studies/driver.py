@@ -23,7 +23,7 @@ from plunge.results import CaseError
 from plunge.studies import REPOSITORY
 from plunge.studies.costFigure import errorAgainstCost
 from plunge.studies.gridConvergence import gridConvergence, levels
-from plunge.studies.resultTable import Row, line, read, software_version, state, verdict, write
+from plunge.studies.resultTable import FAIL, Row, count, line, read, software_version, state, verdict, write
 from plunge.studies.study import Done, Quantity, Run, Study, load, names, value_of
 
 FIGURES = REPOSITORY / "docs/figures"
@@ -157,7 +157,7 @@ def converge(study: Study, rows: Sequence[Row]) -> list[str]:
 
 def judge(study: Study, done: Sequence[Done]) -> tuple[list[Row], list[str]]:
     """All figures of the finished runs, with their verdicts, which are printed; and which could not be had."""
-    rows, failures = [], []
+    rows, of, failures = [], [], []
     for each in done:
         for quantity in study.quantities:
             try:
@@ -166,9 +166,10 @@ def judge(study: Study, done: Sequence[Done]) -> tuple[list[Row], list[str]]:
                 failures.append(f"{study.name}: {each.run.name}: {quantity.name}: {type(error).__name__}: {error}")
             else:
                 rows += [row] if row else []
+                of += [(quantity, each)] if row else []
     orders = converge(study, rows)
-    for row in rows:
-        row.verdict = verdict(row.value, row.reference, row.reference_uncertainty, row.numerical_uncertainty, row.tolerance)
+    for row, (quantity, each) in zip(rows, of):
+        row.verdict = quantity.word(each, verdict(row.value, row.reference, row.reference_uncertainty, row.numerical_uncertainty, row.tolerance))
     print(f"\n{study.name}: {study.title}", *map(line, rows), *orders, sep="\n")
     return rows, failures
 
@@ -187,7 +188,7 @@ def unexpected(study: Study, rows: Sequence[Row]) -> list[str]:
             said.append(f"{study.name}: {' '.join(key)}: no such figure; expected {value:g} +- {tolerance:g}")
         elif not abs(found[key].value - value) <= tolerance:
             said.append(f"{study.name}: {' '.join(key)}: {found[key].value:g}; expected {value:g} +- {tolerance:g}")
-    return said
+    return said + [f"{study.name}: {' '.join(row.key)}: {row.verdict}" for row in rows if row.verdict in FAIL[1:]]
 
 
 def accept(study: Study, rows: Sequence[Row]) -> None:
@@ -245,9 +246,9 @@ def listing() -> Iterator[str]:
     for study in map(load, names()):
         path = study.folder / "result.csv"
         rows = read(path) if path.exists() else []
-        judged = [row["verdict"] for row in rows if row["verdict"]]
+        held, judged = count(row["verdict"] for row in rows)
         old = sum(bool(state(row["version"], tuple(study.paths()))) for row in rows)
-        yield (f"{study.name:20s} {len(study.of_tier('full')):3d} runs, {len(study.of_tier('quick'))} quick; {judged.count('yes')} of {len(judged)} hold"
+        yield (f"{study.name:20s} {len(study.of_tier('full')):3d} runs, {len(study.of_tier('quick'))} quick; {held} of {judged} hold"
                f"{f', {old} of {len(rows)} rows not of this checkout' if old else ''}; {study.title}")
 
 
@@ -274,6 +275,6 @@ def main() -> int:
     for study in studies if asked.accept and asked.tier == "quick" else ():
         accept(study, results[study.name])
     print(*failures, sep="\n", file=sys.stderr)
-    judged = [row.verdict for rows in results.values() for row in rows if row.verdict]
-    print(f"\n{judged.count('yes')} of {len(judged)} judged figures hold" + (f"; {len(failures)} failures" if failures else ""))
-    return 2 if failures else 1 if "no" in judged and asked.tier != "quick" else 0
+    held, judged = count(row.verdict for rows in results.values() for row in rows)
+    print(f"\n{held} of {judged} judged figures hold" + (f"; {len(failures)} failures" if failures else ""))
+    return 2 if failures else 1 if held < judged and asked.tier != "quick" else 0

@@ -16,6 +16,8 @@ from plunge.studies import REPOSITORY
 # What a study writes itself does not make a checkout another version
 WRITTEN = (":!docs", ":!*/result.csv", ":!*/uncertainty.csv")
 Cell = Union[str, int, float, None]
+# Verdicts: of numbers yes and no, of runs that may end in any way the others (outcomes.py)
+HOLD, FAIL = ("yes", "right", "degraded", "refused"), ("no", "silent", "crash", "hang")
 
 
 @dataclass
@@ -36,7 +38,7 @@ class Row:
     reference_uncertainty: Cell = None
     numerical_uncertainty: Cell = None
     tolerance: Cell = None
-    verdict: str = ""       # yes, no, or empty where nothing is judged
+    verdict: str = ""       # of HOLD or FAIL, or empty where nothing is judged
     cpu_s: Cell = None
     cores: Cell = None
     version: str = ""
@@ -62,6 +64,12 @@ def verdict(value: float, reference: Cell, reference_uncertainty: Cell = None, n
         return "yes" if (value <= float(bound) if sign == "<=" else value >= float(bound)) else "no"
     allowed = float(reference_uncertainty or 0) + float(tolerance or 0)
     return "yes" if isfinite(value) and abs(value - float(reference)) <= allowed and float(numerical_uncertainty or 0) <= allowed else "no"
+
+
+def count(verdicts: Iterable[str]) -> tuple[int, int]:
+    """How many hold of how many that are judged."""
+    judged = [verdict for verdict in verdicts if verdict]
+    return sum(verdict in HOLD for verdict in judged), len(judged)
 
 
 def text(cell: Cell) -> str:
@@ -118,7 +126,8 @@ def line(row: Row) -> str:
     said = f"  {text(row.value)} {row.unit}".ljust(24)
     if row.verdict:
         off = [f"+- {text(cell)}" for cell in (row.reference_uncertainty, row.tolerance) if cell]
-        said += f"  expected {text(row.reference)} {' '.join(off)}: {'holds' if row.verdict == 'yes' else 'FALLS SHORT'}"
+        said += f"  expected {text(row.reference)} {' '.join(off)}: {'holds' if row.verdict in HOLD else 'FALLS SHORT'}"
+        said += f" ({row.verdict})" if row.verdict not in ("yes", "no") else ""
     if row.numerical_uncertainty is not None:
         said += f"  (numerical +- {text(row.numerical_uncertainty)})"
     return f"    {where:50s} {row.quantity:60s}{said}"

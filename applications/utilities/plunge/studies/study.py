@@ -122,6 +122,7 @@ class Quantity:
     most: float | None = None
     least: float | None = None
     judged: Callable[[Run], bool] = lambda run: True
+    word: Callable[[Done, str], str] = lambda done, verdict: verdict    # the verdict's, where a run may end in any way
     converges: bool = False         # three resolutions of it have an order and a grid convergence index
 
 
