@@ -451,7 +451,7 @@ def test_decisions_are_printed_and_written(case: Path) -> None:
     ({}, "half", "overset"),
     ({"entry__angle": 90}, "half", "overset"),                              # free: it may leave its axis
     ({"entry__angle": 90, "body__freedom": "axial"}, "axisymmetric", "single"),
-    ({"entry__angle": 90, "body__freedom": "axial", "method": "particles"}, "quarter", "none"),
+    ({"entry__angle": 90, "body__freedom": "axial", "method": "particles"}, "axisymmetric", "none"),
     ({"entry__angle": 90, "body__freedom": "axial", "entry__attitude": 80}, "half", "overset"),
     ({"entry__angle": 90, "body__freedom": "prescribed"}, "axisymmetric", "single"),
     ({"entry__sideslip": 3}, "full", "overset"),
@@ -463,7 +463,8 @@ def test_decisions_are_printed_and_written(case: Path) -> None:
 def test_dimension_and_symmetry_follow_from_shape_path_and_freedom(overrides: dict, model: str, mesh: str) -> None:
     found = generated(**overrides)
     assert (found["model"], found["mesh"]) == (model, mesh)
-    share = {"half": 0.5, "quarter": 0.25, "axisymmetric": np.sin(np.radians(5)) / (2 * np.pi), "full": 1}[model]
+    rings = overrides.get("method") == "particles"
+    share = {"half": 0.5, "axisymmetric": 1 if rings else np.sin(np.radians(5)) / (2 * np.pi), "full": 1}[model]
     assert found["modelledMass"] == pytest.approx(share * found["bodyMass"])
 
 
