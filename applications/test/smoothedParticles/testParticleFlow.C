@@ -553,6 +553,20 @@ TEST(ParticleFlow, badInputIsRefused)
     EXPECT_EQ(refusal([](particleFlowModel<2>& m){m.shifting = -1;}), "shifting is -1: expected 0 or above");
     EXPECT_EQ
     (
+        refusal([](particleFlowModel<2>& m){m.interaction.tensileControl = true;}),
+        "tensileControl: expected shifting too, which finds the surface"
+    );
+    const std::string rings = refusal
+    (
+        [](particleFlowModel<2>& m)
+        {
+            m.interaction.axisymmetric = true;
+            m.interaction.leastRadius = 0.002;
+        }
+    );
+    EXPECT_EQ(rings.find("axisymmetric: expected two dimensions, the plane x = 0 as one of symmetry"), 0u) << rings;
+    EXPECT_EQ
+    (
         refusal([](particleFlowModel<2>& m){m.interaction.c0 = std::numeric_limits<double>::quiet_NaN();}),
         "c0 is nan: expected a number above 0"
     );

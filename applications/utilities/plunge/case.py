@@ -165,7 +165,7 @@ def _derived(path: Path, given: dict[str, Any]) -> Case:
         c0 = next(entries["particleSoundSpeed"] for _, entries in of_method if "particleSoundSpeed" in entries)
         decided |= particles.decide(asked, c0, options["boundaryLayer"], options["surfaceTension"])
         # plungeSPH's plane is x and y
-        turn = np.array([[1.0, 0, 0], [0, 0, 1], [0, -1, 0]]) if model.choice == "plane" else np.eye(3)
+        turn = np.array([[1.0, 0, 0], [0, 0, 1], [0, -1, 0]]) if model.choice in ("plane", "axisymmetric") else np.eye(3)
     return Case(scene, options, decided, [*_common(scene, options, decided, turn), *of_method])
 
 
@@ -185,7 +185,7 @@ def _common(scene: Scene, options: dict[str, Any], decided: dict[str, Decision],
     fluids, shape = scene.fluids, scene.shape
     inertia, _ = scene.principal
     nose = scene.nose
-    share = decisions.share(decided["model"].choice)
+    share = decisions.share(decided["model"].choice, options["method"])
     motion = "prescribed" if scene.freedom == "fixed" else scene.freedom
     if motion == "free" and decided["model"].choice in ("half", "plane"):
         motion = "planar"
@@ -200,7 +200,7 @@ def _common(scene: Scene, options: dict[str, Any], decided: dict[str, Decision],
             "tier": options["tier"], "resolution": options["resolution"],
             "shape": scene.given["body.shape"]["type"], "bodyLength": shape.length, "thicknessRatio": shape.slenderness,
             "bodyScale": scene.scale, "freedom": scene.freedom, "motion": motion,
-            "dimensions": 2 if decided["model"].choice == "plane" else 3,
+            "dimensions": 2 if decided["model"].choice in ("plane", "axisymmetric") else 3,
             "speed": scene.speed, "referenceSpeed": scene.reference_speed, "pathAngle": scene.angle, "gap": float(nose[2]),
             "event": scene.given.get("until", "none"),
         }),

@@ -72,8 +72,6 @@ def model(scene: Scene, method: str, asked: str) -> Decision:
             reason = "the shape is none of revolution" if not scene.shape.isRevolution else \
                 "the body may leave its axis" if vertical else "the body does not move along its own, vertical axis"
             raise ParameterError(f"{source}, but {reason}; expected half or full" + (", or freedom axial" if vertical else ""))
-        if asked == "axisymmetric" and method == "particles":
-            raise ParameterError(f"{source}, but particles have no axisymmetric model; expected auto, quarter, half or full")
         if asked == "quarter" and method == "meshes":
             raise ParameterError(f"{source}, but that is for particles; expected auto, axisymmetric, half or full")
         if method == "slenderBody" and asked != "full":
@@ -86,15 +84,15 @@ def model(scene: Scene, method: str, asked: str) -> Decision:
     if plane:
         return Decision("plane", "the shape lies in a plane")
     if vertical and straight:
-        return Decision("axisymmetric" if method == "meshes" else "quarter", "a body of revolution moves along its own, vertical axis")
+        return Decision("axisymmetric", "a body of revolution moves along its own, vertical axis")
     if not why_not_half:
         return Decision("half", "nothing drives the body out of its plane of symmetry")
     return Decision("full", why_not_half)
 
 
-def share(modelled: str) -> float:
-    """Of the body that a model holds."""
-    return _SHARES.get(modelled, 1.0)
+def share(modelled: str, method: str) -> float:
+    """Of the body that a model holds; axisymmetric particles are whole rings."""
+    return 1.0 if (modelled, method) == ("axisymmetric", "particles") else _SHARES.get(modelled, 1.0)
 
 
 def mesh(scene: Scene, method: str, modelled: str, asked: str) -> Decision:

@@ -30,7 +30,7 @@ class Case:
         if self.times != [t for t, _ in self.body]:
             raise CaseError(f"{folder}: the times of {body}.vtp.series and particles.vtp.series differ; expected the same")
         self.files = [folder / f"{name}.vtp.series" for name in ("particles", body)]
-        self.mirrored = parameters(directory).get("model") == "quarter"
+        self.mirrored = parameters(directory).get("model") in ("quarter", "axisymmetric")
         self.axes = ("r" if self.mirrored else "x", "y" if self.flat else "z")
         self.plane = "" if self.flat else "liquid within a spacing of y = 0"
 

@@ -176,7 +176,7 @@ def read_body(case: Path) -> Body:
     width = float(given["bodyLength"]) * float(given["thicknessRatio"])
     plane = given["model"] == "plane"
     area = width if plane else 0.0 if given["shape"] == "surface" else np.pi / 4 * width**2
-    up = "y" if plane and given["application"] == "plungeSPH" else "z"
+    up = "y" if given["model"] in ("plane", "axisymmetric") and given["application"] == "plungeSPH" else "z"
     return Body(given["freedom"], plane, up, width, area, 0.5 * float(given["liquidDensity"]) * float(given["speed"]) ** 2)
 
 

@@ -164,14 +164,19 @@ void Foam::smoothedParticles::flowIn<Real, dim>::coupleBody(std::int32_t wall, b
             }
             const std::size_t i = place_[p.now];
             Foam::vector force(Foam::vector::zero), friction(Foam::vector::zero), head(Foam::vector::zero), push(Foam::vector::zero);
-            for (int d = 0; d < dim; ++d)
+            for (int d = firstDirection(); d < dim; ++d)
             {
                 force[d] = packed_.acceleration[d][i];
                 friction[d] = packed_.friction[d][i];
                 head[d] = packed_.wallHead[d][i];
                 push[d] = packed_.wallPush[d][i];
             }
-            const Foam::vector r(toVector(x_[p.now]) - one.at.centreOfMass);
+            Foam::vector r(toVector(x_[p.now]) - one.at.centreOfMass);
+            for (int d = 0; d < firstDirection(); ++d)
+            {
+                // A ring turns nothing
+                r[d] = 0;
+            }
             const degrees heads(toDegrees(head, r ^ head));
             const degrees pushes(toDegrees(push, r ^ push));
             const double before = packed_.wallPressure[i];
@@ -247,7 +252,7 @@ void Foam::smoothedParticles::flowIn<Real, dim>::coupleBody(std::int32_t wall, b
             const Foam::vector a(part(change, 0) + (part(change, 1) ^ (toVector(x_[p.now]) - one.at.centreOfMass)));
             for (int d = 0; d < dim; ++d)
             {
-                packed_.wallPressure[i] -= packed_.wallHead[d][i]*a[d];
+                packed_.wallPressure[i] -= d < firstDirection() ? 0 : packed_.wallHead[d][i]*a[d];
             }
             packWallPressure(i);
         }

@@ -35,7 +35,7 @@ Foam::smoothedParticles::flowIn<Real, dim>::flowIn
     const double cell = std::pow(model.spacing, dim);
     for (std::size_t k = mass_.size(); k < density_.size(); ++k)
     {
-        mass_.push_back((model.rho0 + (isFluid(k) ? density_[k] : 0))*cell);
+        mass_.push_back((model.rho0 + (isFluid(k) ? density_[k] : 0))*cell*model.interaction.circumference(x_[k][0]));
     }
     for (const auto& motion : moving)
     {
@@ -155,7 +155,7 @@ std::vector<std::array<double, dim>> Foam::smoothedParticles::flowIn<Real, dim>:
     {
         if (!isFluid(k))
         {
-            for (int d = 0; d < dim; ++d)
+            for (int d = firstDirection(); d < dim; ++d)
             {
                 forces[wall_[k]][d] += double(packed_.acceleration[d][place_[k]]) + packed_.friction[d][place_[k]];
             }

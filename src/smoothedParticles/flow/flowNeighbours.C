@@ -112,6 +112,11 @@ void Foam::smoothedParticles::flowIn<Real, dim>::search()
     packed_.fluid.clear();
     packed_.walls.clear();
     middle_ = neighbours_.middle();
+    if (model_.interaction.axisymmetric)
+    {
+        // The packed coordinate is the radius
+        middle_[0] = 0;
+    }
     const std::vector<std::int32_t>& order = neighbours_.order();
     const std::int64_t nPlaces = order.size();
     #pragma omp parallel for num_threads(nThreads_) schedule(static, turn)
@@ -139,6 +144,7 @@ void Foam::smoothedParticles::flowIn<Real, dim>::search()
     if (model_.shifting > 0)
     {
         packed_.addShifting();
+        surfaceIsFound_ = false;
     }
     copy(x_, xSearched_);
     ++nSearches_;

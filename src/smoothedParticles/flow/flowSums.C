@@ -22,7 +22,7 @@ void Foam::smoothedParticles::flowIn<Real, dim>::packFields()
             packed_(i, fields::v + d) = v_[k][d];
         }
         packed_(i, fields::density) = density_[k];
-        packed_(i, fields::volume) = mass_[k]/(model_.rho0 + (isFluid(k) ? density_[k] : 0));
+        packed_(i, fields::volume) = mass_[k]/(m.circumference(x_[k][0])*(model_.rho0 + (isFluid(k) ? density_[k] : 0)));
         packed_(i, fields::pressure) = state_.pressure(density_[k]) + damping*packed_.densityRate[i];
     }
     packImages();
@@ -152,6 +152,10 @@ template<class Real, int dim>
 void Foam::smoothedParticles::flowIn<Real, dim>::sumAcceleration()
 {
     packFields();
+    if (model_.interaction.tensileControl && !surfaceIsFound_)
+    {
+        findSurface();
+    }
     extrapolateToWalls();
     interaction_.sumAcceleration(neighbours_, packed_, nThreads_);
 

@@ -96,6 +96,29 @@ std::unique_ptr<Foam::smoothedParticles::particleFlow<dim>> Foam::smoothedPartic
           + std::to_string(moving.size())
         );
     }
+    if (m.tensileControl && !(model.shifting > 0))
+    {
+        throw std::invalid_argument("tensileControl: expected shifting too, which finds the surface");
+    }
+    if (m.axisymmetric)
+    {
+        checkPositive("least radius of rings", m.leastRadius);
+        const bool mirrored = std::any_of
+        (
+            model.symmetry.begin(), model.symmetry.end(),
+            [](const symmetryPlane& p){ return p.axis == 0 && p.at == 0 && p.side == 1; }
+        );
+        const bool beyond = std::any_of(start.x.begin(), start.x.end(), [](const std::array<double, dim>& x){ return !(x[0] > 0); });
+        const bool viscous = m.viscosity == viscosityType::laminar || m.viscosity == viscosityType::Riemann;
+        if (dim != 2 || !mirrored || beyond || model.contact.isOn() || viscous || m.diffusion == diffusionType::none)
+        {
+            throw std::invalid_argument
+            (
+                "axisymmetric: expected two dimensions, the plane x = 0 as one of symmetry, all particles at x above 0, viscosity none"
+                " or artificial, density diffusion, and no contact"
+            );
+        }
+    }
     for (const symmetryPlane& a : model.symmetry)
     {
         for (const symmetryPlane* b = &a + 1; b != model.symmetry.data() + model.symmetry.size(); ++b)

@@ -6,6 +6,7 @@
 #include "smoothingKernels.H"
 
 #include <algorithm>
+#include <cmath>
 
 // * * * * * * * * * * * * * * * * * Loops  * * * * * * * * * * * * * * * * * //
 

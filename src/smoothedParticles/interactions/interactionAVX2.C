@@ -11,6 +11,7 @@
 #include "smoothingKernels.H"
 
 #include <algorithm>
+#include <cmath>
 
 namespace Foam
 {

@@ -14,6 +14,7 @@
 #include "smoothingKernels.H"
 
 #include <algorithm>
+#include <cmath>
 
 namespace Foam
 {

@@ -212,7 +212,7 @@ void Foam::smoothedParticles::particleTables<dim>::writeProbes(const particleSta
             }
             const double weight =
                 WendlandC2::normalisation(dim)*WendlandC2::w<double>(q)/std::pow(h, dim)
-               *state.mass[k]/(model_.rho0 + state.density[k]);
+               *state.mass[k]/(model_.interaction.circumference(state.x[k][0])*(model_.rho0 + state.density[k]));
             share += weight;
             pressure += weight*state.pressure[k];
             for (int d = 0; d < dim; ++d)

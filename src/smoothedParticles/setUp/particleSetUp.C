@@ -160,7 +160,7 @@ Foam::smoothedParticles::particleState<dim> Foam::smoothedParticles::readParticl
         state.x.push_back(toArray<dim>(x));
         state.v.push_back(toArray<dim>(v));
         state.density.push_back(density);
-        state.mass.push_back((model.rho0 + density)*volume);
+        state.mass.push_back((model.rho0 + density)*volume*model.interaction.circumference(x.x()));
         state.pressure.push_back(pressure);
         state.wall.push_back(wall);
     };

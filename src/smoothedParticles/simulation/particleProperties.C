@@ -63,6 +63,9 @@ const Enum<contactStiffness> stiffnessNames
     { contactStiffness::segment, "segment" },
 });
 
+//- Of rings, over the spacing: half of what the first have on a lattice
+constexpr scalar leastRadiusRatio = 0.25;
+
 //- noSlip?
 const Enum<bool> wallNames
 ({
@@ -238,6 +241,36 @@ void Foam::smoothedParticles::particleProperties::readSmoothingLength()
 }
 
 
+void Foam::smoothedParticles::particleProperties::readAxis()
+{
+    interactionModel& m = common_.interaction;
+    m.axisymmetric = dict_.lookupOrDefault<bool>("axisymmetric", false);
+    if (!m.axisymmetric)
+    {
+        return;
+    }
+    m.leastRadius = leastRadiusRatio*common_.spacing;
+    common_.symmetry.push_back({0, 0, 1});
+    const auto refuseIf = [&](const bool found, const std::string& what, const char* expected)
+    {
+        if (found)
+        {
+            refuseEntry(dict_, "axisymmetric", "is given, but " + what, expected);
+        }
+    };
+    refuseIf(dimensions_ != 2, "dimensions is 3", "2: the axis is x = 0.");
+    refuseIf(g_.x() != 0, "the gravity of constant/g has a component across the axis", "gravity along y.");
+    refuseIf(dict_.found("contact"), "there is contact", "walls of particles.");
+    refuseIf
+    (
+        m.viscosity != viscosityType::none && m.viscosity != viscosityType::artificial,
+        "viscosity is " + viscosityNames[m.viscosity],
+        "none or artificial: the others leave out what a ring's own curvature does."
+    );
+    refuseIf(m.diffusion == diffusionType::none, "densityDiffusion is none", "one: the sums of rings do not keep the energy to round-off.");
+}
+
+
 void Foam::smoothedParticles::particleProperties::readSymmetry()
 {
     if (!dict_.found("symmetry"))
@@ -356,7 +389,7 @@ Foam::smoothedParticles::particleProperties::particleProperties(const Time& runT
         wordHashSet
         ({
             "FoamFile", "dimensions", "kernel", "smoothingLength", "viscosity", "alpha", "densityDiffusion", "delta",
-            "walls", "precision", "timeStepping", "Courant", "liquid", "speedOfSound", "geometry", "bodies", "symmetry",
+            "walls", "precision", "timeStepping", "Courant", "liquid", "speedOfSound", "geometry", "bodies", "symmetry", "axisymmetric", "tensileControl",
             "absorption", "contact", "momentum", "beta", "acousticDamper", "wallTension", "outputs", "neighbours", "shifting", "energy",
             "until"
         })
@@ -410,9 +443,11 @@ Foam::smoothedParticles::particleProperties::particleProperties(const Time& runT
         checkKeywords(shifting, wordHashSet({"coefficient"}));
         common_.shifting = readPositiveOrDefault(shifting, "coefficient", 2);
     }
+    m.tensileControl = dict_.lookupOrDefault<bool>("tensileControl", false);
     common_.wallTension = dict_.found("wallTension") ? readPositive(dict_, "wallTension") : 0;
     common_.energy = dict_.lookupOrDefault<bool>("energy", false);
     m.noSlip = readChoice(wallNames, dict_, "walls");
+    readAxis();
     readLiquid(dict_.subDict("liquid"));
     readSoundSpeed(dict_.subDict("speedOfSound"));
     readSymmetry();
@@ -472,7 +507,7 @@ Foam::smoothedParticles::particleFlowModel<dim> Foam::smoothedParticles::particl
 void Foam::smoothedParticles::particleProperties::print(Ostream& os) const
 {
     const interactionModel& m = common_.interaction;
-    os  << "Method: " << dimensions_ << " dimensions, " << kernelNames[m.kernel] << ", momentum " << pressureNames[m.pressure]
+    os  << "Method: " << dimensions_ << " dimensions, " << (m.axisymmetric ? "axisymmetric, " : "") << kernelNames[m.kernel] << ", momentum " << pressureNames[m.pressure]
         << ", viscosity " << viscosityNames[m.viscosity] << ", density diffusion " << diffusionNames[m.diffusion] << ", walls "
         << wallNames[m.noSlip] << ", " << precisionNames[common_.singlePrecision] << " precision, "
         << timeSteppingNames[common_.timeStepping] << " steps at Courant number " << common_.Courant << nl
@@ -492,7 +527,7 @@ void Foam::smoothedParticles::particleProperties::print(Ostream& os) const
     }
     if (common_.shifting > 0)
     {
-        os  << "Shifting: coefficient " << common_.shifting << endl;
+        os  << "Shifting: coefficient " << common_.shifting << (m.tensileControl ? ", with control of the tensile instability" : "") << endl;
     }
     if (common_.contact.isOn())
     {

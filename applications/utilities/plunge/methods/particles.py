@@ -46,21 +46,21 @@ class Particles(Asked):
 def sections(particles: Particles) -> list[tuple[str, dict[str, Any]]]:
     """A box of liquid about the path, a whole number of spacings in each direction."""
     scene, spacing, model = particles.scene, particles.spacing, particles.model
-    scale, full, plane, quarter = scene.scale, model == "full", model == "plane", model == "quarter"
+    scale, full, flat, onAxis = scene.scale, model == "full", model in ("plane", "axisymmetric"), model in ("quarter", "axisymmetric")
 
     def spacings(distance: float) -> int:
         return ceil(distance / spacing - 1e-9)
 
     reach = max(_REACH * scale, _LEAST_REACH * scene.shape.max_diameter / 2)
-    if plane:
+    if model == "plane":
         reach *= _PLANE_REACH
     start, end = scene.nose - scene.shape.length * scene.forward, scene.end
     # The nose enters at x = 0; what of the body is above the surface meets no liquid.
     x_low = min(0.0, end[0], start[0] if scene.immersed else 0.0)
-    low = [0 if quarter else -spacings(reach - x_low), -spacings(reach) if full else 0,
+    low = [0 if onAxis else -spacings(reach - x_low), -spacings(reach) if full else 0,
            -spacings(reach + max(0.0, -min(end[2], start[2] if scene.immersed else end[2], scene.nose[2])))]
     high = [spacings(reach + max(end[0], start[0] if scene.immersed else end[0], 0.0)), spacings(reach), 0]
-    count = int(np.prod([h - l for axis, (l, h) in enumerate(zip(low, high)) if not (plane and axis == 1)]))
+    count = int(np.prod([h - l for axis, (l, h) in enumerate(zip(low, high)) if not (flat and axis == 1)]))
     fall = max(0.0, scene.nose[2] - end[2])
     gravity = scene.fluids["gravity"]
     fastest = max(sqrt(scene.speed**2 + 2 * gravity * fall), sqrt(gravity * spacing * -low[2]))
@@ -69,18 +69,13 @@ def sections(particles: Particles) -> list[tuple[str, dict[str, Any]]]:
     top = spacings(_FREEBOARD * scale)
 
     translation, rotation = scene.shape.added_mass_coefficients()
-    displaced = decisions.share(model) * scene.fluids["liquidDensity"]
+    displaced = decisions.share(model, "particles") * scene.fluids["liquidDensity"]
 
     box = {"liquidMin": low, "liquidMax": high, "tankMax": [*high[:2], top]}
-    if plane:  # plungeSPH's plane is x and y
+    if flat:  # plungeSPH's plane is x and y
         box = {name: [corner[0], corner[2], 0] for name, corner in box.items()}
-    absorbing = ["left", "right", "front", "back", "bottom"]
-    if quarter:
-        absorbing = ["right", "back", "bottom"]
-    elif plane:
-        absorbing = ["left", "right", "bottom"]
-    elif not full:
-        absorbing.remove("front")
+    absorbing = {"full": ["left", "right", "front", "back", "bottom"], "half": ["left", "right", "back", "bottom"],
+                 "quarter": ["right", "back", "bottom"], "plane": ["left", "right", "bottom"], "axisymmetric": ["right", "bottom"]}[model]
     return [
         # plungeFoam computes it from the flow
         ("What the liquid adds to the immersed body: an estimate for the coupling, which does not change its result", {
@@ -91,7 +86,7 @@ def sections(particles: Particles) -> list[tuple[str, dict[str, Any]]]:
             "particleSpacing": spacing,
             **{name: vector(np.multiply(corner, spacing)) for name, corner in box.items()},
             "hydrostatic": "yes" if hydrostatic else "no",
-            "tankOpen": {"half": ["front", "top"], "quarter": ["left", "front", "top"]}.get(model, ["top"]),
+            "tankOpen": {"half": ["front", "top"], "quarter": ["left", "front", "top"], "axisymmetric": ["left", "top"]}.get(model, ["top"]),
             "absorbingFaces": absorbing,
             "absorbingThickness": _ABSORBING * scale,
             "particleSoundSpeed": c0,

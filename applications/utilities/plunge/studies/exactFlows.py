@@ -32,7 +32,7 @@ def solve(run: Path, spacing: float, c0: float, fluid: np.ndarray, velocity: np.
     """Runs from particles of fluid and of a floor, with neither artificial viscosity nor density diffusion unless entries say so."""
     x = np.concatenate([fluid, floor])
     still = np.zeros((len(floor), 2))
-    mass = np.concatenate([RHO + excess, np.full(len(floor), RHO)])*spacing**2
+    mass = np.concatenate([RHO + excess, np.full(len(floor), RHO)])*spacing**2*(2*np.pi*x[:, 0] if "axisymmetric" in entries else 1)
     wall = np.concatenate([np.full(len(fluid), -1), np.zeros(len(floor))]).astype("<i4")
     given = {"smoothingLength": 2, "viscosity": "none", "densityDiffusion": "none", **entries}
     unused = "alpha" if "delta" in entries else "(alpha delta)"
@@ -102,6 +102,33 @@ def semiAxes(run: Path, n: int) -> np.ndarray:
     # a' = -s a, s' = s^2 (a^4 - 1)/(a^4 + 1), from p = p0 (1 - (x/a)^2 - (y/b)^2) and a b = 1
     exact = solve_ivp(lambda t, u: (-u[1]*u[0], u[1]**2*(u[0]**4 - 1)/(u[0]**4 + 1)), (0, DROP_END), (1, 1), rtol=1e-10).y[0, -1]
     return np.sqrt((x[:, :2]**2).mean(0)/(disc(n)**2).mean(0))*[1/exact, exact]
+
+
+def ball(n: int) -> np.ndarray:
+    """The rings of a ball of radius 1 m on a lattice, n along the radius."""
+    x = disc(n)
+    return x[x[:, 0] > 0]
+
+
+def spheroid(run: Path, n: int, rate: float) -> None:
+    """A ball with the velocity (-x/2, y) times the rate [1/s]: it becomes a column along the axis, or is pressed flat."""
+    x = ball(n)
+    solve(run, 1/n, 14, x, rate*x*[-0.5, 1], np.zeros(len(x)), {
+        "axisymmetric": "yes", "densityDiffusion": "Molteni", "delta": 0.1, "outputs": "{ interval 0.1; }"}, DROP_END, DROP_END)
+
+
+def radiusAndHeight(run: Path, n: int, rate: float) -> np.ndarray:
+    """Of the spheroid at the end, over the exact ones."""
+    last = particleRuns.particles(particleRuns.series(run)[-1][1])["x"][:, :2]
+
+    def moments(x: np.ndarray) -> np.ndarray:
+        # Each has the mass that it starts with
+        return np.sqrt((ball(n)[:, :1]*x**2).sum(0)/ball(n)[:, 0].sum())
+
+    # Euler's equations along x and y with p = p0 (1 - (x/a)^2 - (y/b)^2)
+    exact = solve_ivp(lambda t, u: (u[0]**2*(u[1]**2/4 - u[2]**2)/(u[2]**2 + u[1]**2/2), -u[0]*u[1]/2, u[0]*u[2]),
+                      (0, DROP_END), (rate, 1, 1), rtol=1e-10).y[1:, -1]
+    return moments(last)/moments(ball(n))/exact
 
 
 def energyChange(run: Path, *parts: str) -> np.ndarray:
