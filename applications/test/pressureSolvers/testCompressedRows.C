@@ -64,6 +64,9 @@ TEST(CompressedRows, joinWhatIsCoupledMost)
     // Whoever comes too late joins the pair that he is coupled to
     leftOut[3] = true;
     EXPECT_EQ(sixCells().pairs(leftOut).of, labelList({0, 0, 0, -1, -1, -1}));
+
+    // A row that only takes is not joined with whom it takes from
+    EXPECT_EQ(sixCells().pairs(boolList(6, false)).of, labelList({0, 0, 1, 1, 2, 3}));
 }
 
 

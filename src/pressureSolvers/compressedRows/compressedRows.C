@@ -234,6 +234,19 @@ Foam::scalarSquareMatrix Foam::compressedRows::square() const
 }
 
 
+bool Foam::compressedRows::has(const label row, const label column) const
+{
+    for (label i = start_[row]; i < start_[row + 1]; ++i)
+    {
+        if (columns_[i] == column)
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
 Foam::label Foam::compressedRows::strongest(const label row) const
 {
     label column = -1;
@@ -269,11 +282,7 @@ Foam::boolList Foam::compressedRows::interpolated() const
         bool given = false;
         for (label i = start_[row]; !given && i < start_[row + 1]; ++i)
         {
-            const label other = columns_[i];
-            for (label j = start_[other]; other < size() && !given && j < start_[other + 1]; ++j)
-            {
-                given = columns_[j] == row;
-            }
+            given = columns_[i] < size() && has(columns_[i], row);
         }
         is[row] = !given && start_[row] != start_[row + 1];
     }
@@ -314,13 +323,13 @@ Foam::compressedRows::aggregates Foam::compressedRows::pairs
             most = max(most, strength);
             if (of[column] == -1)
             {
-                if (strength > mostFree)
+                if (strength > mostFree && has(column, row))
                 {
                     mostFree = strength;
                     free = column;
                 }
             }
-            else if (strength > mostJoined && sizes[of[column]] < largest)
+            else if (strength > mostJoined && sizes[of[column]] < largest && has(column, row))
             {
                 mostJoined = strength;
                 joined = of[column];
