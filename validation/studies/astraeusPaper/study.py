@@ -158,7 +158,7 @@ def mesh(done: Done) -> Done | None:
 
 
 def over_mesh(value):
-    return lambda done: value(done)/value(mesh(done)) if mesh(done) and done.run.method == "particles" else None
+    return lambda done: value(done)/value(mesh(done)) if done.run.scene == CASE and done.run.method == "particles" and mesh(done) else None
 
 
 def figure(done: list[Done], file: Path) -> None:
