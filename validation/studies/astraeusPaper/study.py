@@ -12,7 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
-from plunge.results import gather
+from plunge.results import fluid_force, gather, parameters
 from plunge.studies.particleRuns import PROPERTIES, table
 from plunge.studies.pictures import draw
 from plunge.studies.scenes import prepare, solve
@@ -97,7 +97,11 @@ def apart(done: Done, water: Done) -> float:
 
 
 def impulse(done: Done, end: float = END) -> float:
-    return deceleration(done, 0).during(0, end).integral()
+    """Of the fluids on the body until then, over its mass: gravity has no part in it [m/s]."""
+    of = track(done)
+    during = of["time_s"][1:] <= end
+    total = (fluid_force(of)[:, 1:]*np.diff(of["time_s"])*during).sum(axis=1)
+    return float(np.linalg.norm(total))/float(parameters(done.path)["bodyMass"])
 
 
 def of_twin(value):
@@ -114,11 +118,11 @@ def difference(done: Done, twin: Done) -> float:
     return 100*float(np.nanmax(np.abs(b.at(a.time) - a.value)))/float(b.value.max())
 
 
-def reflected(done: Done, absorbing: Done) -> float:
-    """When the deceleration begins to differ from that in a tank that absorbs [ms]; nan if it does not."""
+def reflected(done: Done, absorbing: Done) -> float | None:
+    """When the deceleration begins to differ from that in a tank that absorbs [ms], if it does."""
     a, b = deceleration(done), deceleration(absorbing)
     far = np.abs(b.at(a.time) - a.value) > ARRIVED*b.value.max()
-    return 1e3*float(a.time[far.argmax()]) if far.any() else math.nan
+    return 1e3*float(a.time[far.argmax()]) if far.any() else None
 
 
 def wall(done: Done) -> Signal:
@@ -158,7 +162,7 @@ def mesh(done: Done) -> Done | None:
 
 
 def over_mesh(value):
-    return lambda done: value(done)/value(mesh(done)) if mesh(done) and done.run.method == "particles" else None
+    return lambda done: value(done)/value(mesh(done)) if done.run.scene == CASE and done.run.method == "particles" and mesh(done) else None
 
 
 def figure(done: list[Done], file: Path) -> None:
