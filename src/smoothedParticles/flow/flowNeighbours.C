@@ -144,7 +144,6 @@ void Foam::smoothedParticles::flowIn<Real, dim>::search()
     if (model_.shifting > 0)
     {
         packed_.addShifting();
-        surfaceIsFound_ = false;
     }
     copy(x_, xSearched_);
     ++nSearches_;

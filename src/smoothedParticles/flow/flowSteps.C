@@ -12,16 +12,6 @@
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 template<class Real, int dim>
-void Foam::smoothedParticles::flowIn<Real, dim>::findSurface()
-{
-    interaction_.sumConcentration(neighbours_, packed_, nThreads_);
-    packImages(packed_.positionDivergence);
-    interaction_.sumSurfaceNormal(neighbours_, packed_, nThreads_);
-    surfaceIsFound_ = true;
-}
-
-
-template<class Real, int dim>
 void Foam::smoothedParticles::flowIn<Real, dim>::shift(double deltaT)
 {
     if (!(model_.shifting > 0))
@@ -29,7 +19,9 @@ void Foam::smoothedParticles::flowIn<Real, dim>::shift(double deltaT)
         return;
     }
     packFields();
-    findSurface();
+    interaction_.sumConcentration(neighbours_, packed_, nThreads_);
+    packImages(packed_.positionDivergence);
+    interaction_.sumSurfaceNormal(neighbours_, packed_, nThreads_);
 
     const std::int64_t n = x_.size();
     #pragma omp parallel for num_threads(nThreads_) schedule(static, turn)

@@ -152,10 +152,6 @@ template<class Real, int dim>
 void Foam::smoothedParticles::flowIn<Real, dim>::sumAcceleration()
 {
     packFields();
-    if (model_.interaction.tensileControl && !surfaceIsFound_)
-    {
-        findSurface();
-    }
     extrapolateToWalls();
     interaction_.sumAcceleration(neighbours_, packed_, nThreads_);
 

@@ -96,10 +96,6 @@ std::unique_ptr<Foam::smoothedParticles::particleFlow<dim>> Foam::smoothedPartic
           + std::to_string(moving.size())
         );
     }
-    if (m.tensileControl && !(model.shifting > 0))
-    {
-        throw std::invalid_argument("tensileControl: expected shifting too, which finds the surface");
-    }
     if (m.axisymmetric)
     {
         checkPositive("least radius of rings", m.leastRadius);

@@ -6,7 +6,6 @@
 #include "smoothingKernels.H"
 
 #include <algorithm>
-#include <cmath>
 
 // * * * * * * * * * * * * * * * * * Loops  * * * * * * * * * * * * * * * * * //
 

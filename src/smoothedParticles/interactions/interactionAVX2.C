@@ -11,7 +11,6 @@
 #include "smoothingKernels.H"
 
 #include <algorithm>
-#include <cmath>
 
 namespace Foam
 {

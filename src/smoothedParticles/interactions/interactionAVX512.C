@@ -14,7 +14,6 @@
 #include "smoothingKernels.H"
 
 #include <algorithm>
-#include <cmath>
 
 namespace Foam
 {

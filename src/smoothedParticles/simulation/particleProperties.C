@@ -389,7 +389,7 @@ Foam::smoothedParticles::particleProperties::particleProperties(const Time& runT
         wordHashSet
         ({
             "FoamFile", "dimensions", "kernel", "smoothingLength", "viscosity", "alpha", "densityDiffusion", "delta",
-            "walls", "precision", "timeStepping", "Courant", "liquid", "speedOfSound", "geometry", "bodies", "symmetry", "axisymmetric", "tensileControl",
+            "walls", "precision", "timeStepping", "Courant", "liquid", "speedOfSound", "geometry", "bodies", "symmetry", "axisymmetric",
             "absorption", "contact", "momentum", "beta", "acousticDamper", "wallTension", "outputs", "neighbours", "shifting", "energy",
             "until"
         })
@@ -443,7 +443,6 @@ Foam::smoothedParticles::particleProperties::particleProperties(const Time& runT
         checkKeywords(shifting, wordHashSet({"coefficient"}));
         common_.shifting = readPositiveOrDefault(shifting, "coefficient", 2);
     }
-    m.tensileControl = dict_.lookupOrDefault<bool>("tensileControl", false);
     common_.wallTension = dict_.found("wallTension") ? readPositive(dict_, "wallTension") : 0;
     common_.energy = dict_.lookupOrDefault<bool>("energy", false);
     m.noSlip = readChoice(wallNames, dict_, "walls");
@@ -527,7 +526,7 @@ void Foam::smoothedParticles::particleProperties::print(Ostream& os) const
     }
     if (common_.shifting > 0)
     {
-        os  << "Shifting: coefficient " << common_.shifting << (m.tensileControl ? ", with control of the tensile instability" : "") << endl;
+        os  << "Shifting: coefficient " << common_.shifting << endl;
     }
     if (common_.contact.isOn())
     {
