@@ -105,6 +105,8 @@ def curves(done, file) -> None:
     panels = []
     for name, scene in SCENES.items():
         runs = [each for each in done if each.run.scene == name]
+        if not runs:
+            continue
         start = float(track(runs[0])["height"].value[0])
         rise = np.linspace(1e-4, -0.9*top(scene), 60)
         panels.append(({"title": name, "xlabel": "height of the middle above the surface [m]", "ylabel": "speed [m/s]"},
