@@ -2,6 +2,17 @@
 
 #include "compressedRows.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Of an aggregate, over the sum of its rows'
+constexpr Foam::scalar leastDiagonal = 1e-4;
+
+} // End anonymous namespace
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::compressedRows::compressedRows
@@ -158,10 +169,11 @@ Foam::compressedRows::compressedRows
     forAll(first, aggregate)
     {
         const label start = start_[aggregate];
-        scalar diag = 0;
+        scalar diag = 0, own = 0;
         for (label row = first[aggregate]; row != -1; row = next[row])
         {
             diag += fine.diag_[row];
+            own += fine.diag_[row];
             for (label i = fine.start_[row]; i < fine.start_[row + 1]; ++i)
             {
                 const label column = newColumns[fine.columns_[i]];
@@ -184,6 +196,12 @@ Foam::compressedRows::compressedRows
                     }
                 }
             }
+        }
+        // Where zones overlap too little, the acceptors that stand for an
+        // aggregate may leave nothing of its balance: it corrects little
+        if (diag/own < leastDiagonal)
+        {
+            diag = own;
         }
         diag_[aggregate] = diag;
         rDiag_[aggregate] = 1/diag;
