@@ -64,18 +64,31 @@ void Foam::fringeVolume::conserve
     const scalar most = 0.1;
 
     scalarField& a = alpha.primitiveFieldRef();
-    scalarField room(composite_.donorCells()*max(a*(1 - a), scalar(0)));
-
-    // Acceptors follow what their donors are given
-    alpha.mesh().interpolate(room);
-
     scalar error = unique_.of(a) - expected_;
-    const scalar all = unique_.of(room);
-    if (all > 0)
+    const auto giveBack = [&](const scalarField& cells)
     {
-        a -= max(-most, min(most, error/all))*room;
+        scalarField room(cells*max(a*(1 - a), scalar(0)));
+
+        // Acceptors follow what their donors are given
+        alpha.mesh().interpolate(room);
+
+        const scalar all = unique_.of(room);
+        if (all <= 0)
+        {
+            return false;
+        }
+        const scalar share = error/all;
+        a -= max(-most, min(most, share))*room;
         alpha.correctBoundaryConditions();
         error = unique_.of(a) - expected_;
+        return mag(share) <= most;
+    };
+
+    // Where it arose, or else wherever there is an interface: a body that is
+    // deep has left the surface behind, with what it has drawn down
+    if (!giveBack(composite_.donorCells()))
+    {
+        giveBack(composite_.calculatedCells());
     }
 
     // With all its digits, whatever precision is written with

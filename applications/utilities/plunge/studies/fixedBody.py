@@ -65,7 +65,7 @@ def drag(run: Path) -> Drag:
     """Of a finished run."""
     given = read(run / "system/plungeGenerated")
     time, pressure, viscous = forces(run)
-    axis, share = np.negative(given["forward"]), 1/decisions.share(given["model"])
+    axis, share = np.negative(given["forward"]), 1/decisions.share(given["model"], "meshes")
     late = time > time[-1]*(1 - MEAN/TRAVEL)
     before = (time > time[-1]*(1 - 2*MEAN/TRAVEL)) & ~late
     friction, form = share*viscous @ axis, share*pressure @ axis
