@@ -19,8 +19,9 @@ from plunge.methods.meshes import vector
 _REACH, _ABSORBING, _FREEBOARD = 0.35, 0.1, 0.1
 # Least half width and depth over the body's largest radius
 _LEAST_REACH = 3.5
-# These over those in space: what a body in the plane sets in motion reaches further
-_PLANE_REACH = 4
+# These over those in space: what a body in the plane sets in motion reaches further, and rings are cheap. In a narrow tank the liquid
+# has to rise past the body, which brakes it
+_FLAT_REACH = 4
 # c0 over the highest speed that the body could fall at, or that of long waves, unless given: eq. 5 of IAC-20-E2.1.9
 _SOUND_OVER_SPEED = 10
 # Its steps, for the estimate: plungeSPH's Courant number, over h/(c0 + speed), and h over the spacing
@@ -52,8 +53,8 @@ def sections(particles: Particles) -> list[tuple[str, dict[str, Any]]]:
         return ceil(distance / spacing - 1e-9)
 
     reach = max(_REACH * scale, _LEAST_REACH * scene.shape.max_diameter / 2)
-    if model == "plane":
-        reach *= _PLANE_REACH
+    if flat:
+        reach *= _FLAT_REACH
     start, end = scene.nose - scene.shape.length * scene.forward, scene.end
     # The nose enters at x = 0; what of the body is above the surface meets no liquid.
     x_low = min(0.0, end[0], start[0] if scene.immersed else 0.0)
