@@ -377,19 +377,9 @@ Foam::compressedRows::aggregates Foam::compressedRows::pairs
 void Foam::compressedRows::sweepFromZero(UList<real>& x, const UList<real>& b) const
 {
     const label n = size();
-    const label* start = start_.begin();
-    const label* above = above_.begin();
-    const label* columns = columns_.begin();
-    const real* coeffs = coeffs_.begin();
-
     for (label row = 0; row < n; ++row)
     {
-        real sum = b[row];
-        for (label i = start[row]; i < above[row]; ++i)
-        {
-            sum -= coeffs[i]*x[columns[i]];
-        }
-        x[row] = sum*rDiag_[row];
+        x[row] = less(b[row], start_[row], above_[row], x)*rDiag_[row];
     }
 }
 
@@ -402,21 +392,11 @@ void Foam::compressedRows::addResidualAbove
 ) const
 {
     const label n = size();
-    const label* start = start_.begin();
-    const label* above = above_.begin();
-    const label* columns = columns_.begin();
-    const real* coeffs = coeffs_.begin();
-
     for (label row = 0; row < n; ++row)
     {
         if (aggregate[row] != -1)
         {
-            real sum = 0;
-            for (label i = above[row]; i < start[row + 1]; ++i)
-            {
-                sum -= coeffs[i]*x[columns[i]];
-            }
-            sums[aggregate[row]] += sum;
+            sums[aggregate[row]] += less(0, above_[row], start_[row + 1], x);
         }
     }
 }
@@ -424,18 +404,9 @@ void Foam::compressedRows::addResidualAbove
 
 void Foam::compressedRows::sweepUp(UList<real>& x, const UList<real>& b) const
 {
-    const label* start = start_.begin();
-    const label* columns = columns_.begin();
-    const real* coeffs = coeffs_.begin();
-
     for (label row = size() - 1; row >= 0; --row)
     {
-        real sum = b[row];
-        for (label i = start[row]; i < start[row + 1]; ++i)
-        {
-            sum -= coeffs[i]*x[columns[i]];
-        }
-        x[row] = sum*rDiag_[row];
+        x[row] = less(b[row], start_[row], start_[row + 1], x)*rDiag_[row];
     }
 }
 
@@ -448,18 +419,9 @@ void Foam::compressedRows::residual
 ) const
 {
     const label n = size();
-    const label* start = start_.begin();
-    const label* columns = columns_.begin();
-    const real* coeffs = coeffs_.begin();
-
     for (label row = 0; row < n; ++row)
     {
-        real sum = b[row] - diag_[row]*x[row];
-        for (label i = start[row]; i < start[row + 1]; ++i)
-        {
-            sum -= coeffs[i]*x[columns[i]];
-        }
-        r[row] = sum;
+        r[row] = less(b[row] - diag_[row]*x[row], start_[row], start_[row + 1], x);
     }
 }
 
