@@ -303,9 +303,9 @@ class Scene:
         steps = ceil(min(1e5, max(_PATH_STEPS, _HEAVE_STEPS * heave * self.duration)))
         step = self.duration / steps
         deepest = highest = nose
-        for number in range(steps):
+        for i in range(steps):
             wet = min(1.0, max(0.0, -(nose + low) / height)) * displaced
-            drive = driven if start <= number * step < stop else 0.0
+            drive = driven if start <= i * step < stop else 0.0
             rise += (gravity * (wet - 1) + drive) / (1 + added * wet) * step
             nose += rise * step
             deepest, highest = min(deepest, nose), max(highest, nose)

@@ -5,15 +5,13 @@ right: the figure agrees with the formula, limit or twin that its name says; deg
 that the scene declares; refused: an error says what was expected; silent, crash and hang are failures. What has not finished has its exit
 status as its figure. Twins differ by less than 1 %, what the Reynolds number does at the lowest speed; bodies in a domain that ends somewhere and
 particles are within 3 % of formulas for one without end, a slap on gas within 10 % of that without."""
-import os
-import re
 import subprocess
 from pathlib import Path
 
 import numpy as np
 
 from plunge.results import fluid_force, gather, parameters
-from plunge.studies.outcomes import FINISHED, command, ended, ending, exit_status, keep, of_finished, word
+from plunge.studies.outcomes import FINISHED, command, ending, exit_status, keep, of_finished, word
 from plunge.studies.particleRuns import PROPERTIES, override, table
 from plunge.studies.scenes import kill
 from plunge.studies.study import STUDIES, Done, Quantity, Run, Study
