@@ -12,7 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
-from plunge.results import fluid_force, gather, parameters
+from plunge.results import fluid_force, parameters
 from plunge.studies.particleRuns import PROPERTIES, table
 from plunge.studies.pictures import draw
 from plunge.studies.scenes import prepare, solve
@@ -54,17 +54,17 @@ RUNS = [
 
 
 def track(done: Done):
-    return gather(done.path)["trajectory"]
+    return done.track
 
 
 def deceleration(done: Done, window: float = WINDOW) -> Signal:
-    of = track(done)
+    of = done.track
     return Signal(of["time_s"][1:], of["deceleration_m_s2"][1:]).mean(window)
 
 
 def across(done: Done) -> Signal:
     """Acceleration along the dorsal axis, less its straight line."""
-    of = track(done)
+    of = done.track
     time = np.linspace(of["time_s"][1], of["time_s"][-1], 2001)
     value = np.interp(time, of["time_s"][1:], of["a3_m_s2"][1:])
     return Signal(time, value - np.polyval(np.polyfit(time, value, 1), time))
@@ -98,7 +98,7 @@ def apart(done: Done, water: Done) -> float:
 
 def impulse(done: Done, end: float = END) -> float:
     """Of the fluids on the body until then, over its mass: gravity has no part in it [m/s]."""
-    of = track(done)
+    of = done.track
     during = of["time_s"][1:] <= end
     total = (fluid_force(of)[:, 1:]*np.diff(of["time_s"])*during).sum(axis=1)
     return float(np.linalg.norm(total))/float(parameters(done.path)["bodyMass"])
@@ -183,7 +183,7 @@ study = Study(
         Quantity("k0", "Pa", said(r"k0 = rho c0\^2/gamma = (\S+) Pa")),
         Quantity("permitted v_max, c0/10", "m/s", said(r"a tenth of c0 is (\S+) m/s")),
         Quantity("Mach number of the impact", "1", said(r"Mach number: (\S+),"), most=0.1),
-        Quantity("time step", "ms", of_dive(lambda done: 1e3*float(np.median(np.diff(track(done)["time_s"]))))),
+        Quantity("time step", "ms", of_dive(lambda done: 1e3*float(np.median(np.diff(done.track["time_s"]))))),
         Quantity("peak deceleration, mean of 0.5 ms", "m/s2", of_dive(lambda done: float(deceleration(done).value.max()))),
         Quantity("impulse per mass to the end", "m/s", of_dive(impulse)),
         Quantity("impulse over the mesh's", "1", over_mesh(lambda done: impulse(done, 0.005)), 1, tolerance=0.1),

@@ -5,7 +5,7 @@ Its mass is not published, so ratios are compared. Computed bodies keep their sp
 give: their forces are compared over the square of the speed. Forces as means of 0.05 ms, the sensor's interval. Judged: within 10 %."""
 import numpy as np
 
-from plunge.results import crossing, gather
+from plunge.results import crossing
 from plunge.studies import REPOSITORY
 from plunge.studies.pictures import draw
 from plunge.studies.references import reference
@@ -29,7 +29,7 @@ def measured(nose: str) -> Signal:
 
 def computed(done) -> Signal:
     """Force [N]."""
-    of = gather(done.path)["trajectory"]
+    of = done.track
     contact = crossing(of["time_s"], of["penetration_m"])
     return Signal(of["time_s"][1:] - contact, (of["Fpz_N"] + of["Fvz_N"])[1:]).mean(INTERVAL)
 

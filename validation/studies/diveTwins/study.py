@@ -14,7 +14,6 @@ from pathlib import Path
 
 import numpy as np
 
-from plunge.results import gather
 from plunge.studies.foamFields import readCells, times
 from plunge.studies.particleRuns import CONTROL, call, converge, override
 from plunge.studies.scenes import again, kill, prepare, solve as solveRun
@@ -54,7 +53,7 @@ def difference(what: str, norm):
         if what in FIELDS:
             pairs = [[readCells(each.path / times(each.path)[-1] / what) for each in (done, twin)]]
         else:
-            tables = [gather(each.path)["trajectory"] for each in (done, twin)]
+            tables = [each.track for each in (done, twin)]
             pairs = [[table[column] for table in tables] for column in TABLES[what]]
         return max(float(norm(ours - theirs)/np.abs(theirs).max()) if ours.shape == theirs.shape else np.inf for ours, theirs in pairs)
     return of

@@ -32,9 +32,9 @@ def make(run: Run, path) -> None:
     solve(path)
 
 
-def track(done) -> dict[str, Signal]:
+def motion(done) -> dict[str, Signal]:
     """Height of the middle [m], its speed upwards [m/s] and acceleration [m/s2], over time; and how deep the lowest point is [m]."""
-    table = gather(done.path)["trajectory"]
+    table = done.track
     return {name: Signal(table["time_s"], table[column]) for name, column in (
         ("height", "z_m"), ("speed", "vz_m_s"), ("acceleration", "az_m_s2"), ("depth", "penetration_m"))}
 
@@ -73,7 +73,7 @@ def exact(scene: Scene, rise: float, more: float = 1) -> float:
 
 def halfWay(done) -> float:
     """Speed after half of the way of the top to the surface, over the exact one."""
-    scene, of = SCENES[done.run.scene], track(done)
+    scene, of = SCENES[done.run.scene], motion(done)
     rise = -top(scene)/2
     return float(np.interp(rise, of["height"].value - of["height"].value[0], of["speed"].value)/exact(scene, rise))
 
@@ -91,12 +91,12 @@ def freeAcceleration(scene: Scene) -> float:
 
 def inTheAir(done) -> float:
     """Acceleration at the end over that in the air."""
-    return float(track(done)["acceleration"].value[-1]/freeAcceleration(SCENES[done.run.scene]))
+    return float(motion(done)["acceleration"].value[-1]/freeAcceleration(SCENES[done.run.scene]))
 
 
 def asItLeaves(done) -> float:
     """Speed as the lowest point passes the surface [m/s]"""
-    of = track(done)
+    of = motion(done)
     return float(np.interp(0, -of["depth"].value, of["speed"].value))
 
 
@@ -107,11 +107,11 @@ def curves(done, file) -> None:
         runs = [each for each in done if each.run.scene == name]
         if not runs:
             continue
-        start = float(track(runs[0])["height"].value[0])
+        start = float(motion(runs[0])["height"].value[0])
         rise = np.linspace(1e-4, -0.9*top(scene), 60)
         panels.append(({"title": name, "xlabel": "height of the middle above the surface [m]", "ylabel": "speed [m/s]"},
                        {"exact, deep in the liquid": Signal(start + rise, np.array([exact(scene, s) for s in rise]))},
-                       {each.run.resolution: Signal(track(each)["height"].value, track(each)["speed"].value) for each in runs}))
+                       {each.run.resolution: Signal(motion(each)["height"].value, motion(each)["speed"].value) for each in runs}))
     draw(file, panels, 3)
 
 

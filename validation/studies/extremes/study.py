@@ -10,9 +10,9 @@ from pathlib import Path
 
 import numpy as np
 
-from plunge.results import fluid_force, gather, parameters
+from plunge.results import fluid_force, parameters
 from plunge.studies.outcomes import FINISHED, command, ending, exit_status, keep, of_finished, word
-from plunge.studies.particleRuns import PROPERTIES, override, table
+from plunge.studies.particleRuns import CONTROL, PROPERTIES, override, table
 from plunge.studies.scenes import kill
 from plunge.studies.study import STUDIES, Done, Quantity, Run, Study
 
@@ -21,7 +21,9 @@ MESHES, PARTICLES, STRIPS = "meshes", "particles", "slenderBody"
 IDEAL = {MESHES: "-boundaryLayer none -surfaceTension off", STRIPS: "-boundaryLayer none", PARTICLES: ""}  # forces go with the speed squared
 TWIN, RELEASE, SLAP, TANK, FALL, CREEP, SKIP = (
     "impulse over rho U L3, over the twin's", "velocity over g t (1 - r)/(r + added mass)", "speed after the slap over that of von Karman's momentum",
-    "force on the floor over the liquid's weight", "speed over that of free fall", "force over viscosity and speed, over the twin's of equal Reynolds number", "upward velocity of a skipping sphere")
+    "force on the floor over the liquid's weight", "speed over that of free fall", "force over viscosity and speed, over the twin's of equal Reynolds number",
+    "upward velocity of a sphere below the critical angle of ricochet")
+SINK = "downward velocity of a sphere above the critical angle of ricochet"
 STOKES, BUDGET, PASSIVE = "drag over that of Stokes flow about a spheroid", "largest gap of the energy budget over the energy at the start", "impulse over the twin's deep in one fluid"
 PAPER = "eq. 5|outran|Mach number|soft|compress"
 G = 9.81
@@ -91,7 +93,16 @@ row("spheroid", STRIPS, "tumbling", BUDGET, "entry.spin=(0 200 0)", resolution=1
 # Angles
 for angle in (0, -5):
     row("spheroid", STRIPS, f"{angle} deg from the air", "", f"entry.angle={angle}", error="does not come down", quick=angle == 0)
+for angle in (1, 15, 30, 45, 60, 75, 90):
+    row("spheroid", STRIPS, f"{angle} deg", BUDGET, f"entry.angle={angle}", resolution=1, quick=angle == 1)
+# Deep and without gravity no direction is another: the body's mesh and the background's meet at all of these
+for angle in (90, 70, 45, 20, 0):
+    row("sphere", MESHES, f"{angle} deg, deep", TWIN if angle != 90 else "", f"{DEEP}|entry.angle={angle}|duration=0.005", "90 deg, deep" if angle != 90 else "",
+        options="-model half", resolution=0.4)
+# Of spheres of the density ratio 2.7 the critical angle is 11 degrees (Johnson and Reid 1975)
 row("ball", STRIPS, "ricochet, below the critical angle", SKIP, "", says="ricochet", quick=True)
+row("ball", MESHES, "ricochet, below the critical angle", SKIP, "entry.angle=5", resolution=0.4)
+row("ball", MESHES, "ricochet, above the critical angle", SINK, "entry.angle=20", resolution=0.4)
 row("slap", MESHES, "flat", SLAP)
 row("slap", STRIPS, "flat", SLAP, resolution=1, quick=True)
 # Out of the liquid, and through the floor
@@ -100,6 +111,8 @@ row("sphere", MESHES, "thrown up into a gas of a millionth", FALL, "entry.speed=
     error="The flow diverges", says="of the liquid's density", resolution=0.4)
 row("sphere", STRIPS, "falls in the air", FALL, "entry={ speed 0; gap 0.5; }|duration=0.2", resolution=1, quick=True)
 row("circle", PARTICLES, "falls in the air", FALL, "entry={ speed 0; gap 0.3; }|duration=0.1")
+row("sphere", MESHES, "leaves the background", "", "entry={ speed 2; depth 0.5; }|body.density=8000|duration=0.1", error="leaves the background", options="-mesh overset", trouble="runs on", resolution=0.4)
+row("circle", PARTICLES, "falls on the floor", "", "entry={ speed 2; depth 0.5; }|body.density=8000|duration=0.1", error="expected", trouble="runs on", resolution=0.4)
 # Liquids at the ends of what they are
 for temperature, error in ((60, "expected 63"), (130, "to 125 K")):
     row("lake", STRIPS, f"Kraken at {temperature} K", "", f"fluids.temperature={temperature}", error=error, resolution=1, quick=temperature == 60)
@@ -137,6 +150,8 @@ def solve(run: Run, path: Path) -> None:
         override(path, PROPERTIES, given["changes"])
     # Allrun's own line for a step that is done: no pictures
     (path/"log.plungePost").write_text("No pictures\n# Allrun: finished\n")
+    if given["trouble"] == "runs on":
+        override(path, CONTROL, "endTime 1;")
     if given["trouble"] == "killed":
         for _ in range(3):
             kill(path, 1.5)
@@ -154,14 +169,14 @@ def solve(run: Run, path: Path) -> None:
 def peak(done: Done) -> float:
     """Of the fluids' force over rho U^2 L^2, in the plane per metre over rho U^2 L; the start has no acceleration yet."""
     given = {name: float(parameters(done.path)[name]) for name in ("liquidDensity", "speed", "bodyLength", "dimensions")}
-    load = np.linalg.norm(fluid_force(track(done)), axis=0)[1:].max()
+    load = np.linalg.norm(fluid_force(done.track), axis=0)[1:].max()
     return float(load/(given["liquidDensity"]*given["speed"]**2*given["bodyLength"]**(given["dimensions"] - 1)))
 
 
 def impulse(done: Done) -> float:
     """Of the fluids on the body over rho U L^3, in the plane per metre over rho U L^2."""
     given = {name: float(parameters(done.path)[name]) for name in ("liquidDensity", "speed", "bodyLength", "dimensions")}
-    of = track(done)
+    of = done.track
     total = np.linalg.norm((fluid_force(of)[:, 1:]*np.diff(of["time_s"])).sum(axis=1))
     return float(total/(given["liquidDensity"]*given["speed"]*given["bodyLength"]**given["dimensions"]))
 
@@ -170,12 +185,8 @@ def over_twin(value):
     return lambda done: value(done)/value(done.beside(variant=done.run.given["twin"]))
 
 
-def track(done: Done):
-    return gather(done.path)["trajectory"]
-
-
 def release(done: Done) -> float:
-    of, given = track(done), parameters(done.path)
+    of, given = done.track, parameters(done.path)
     ratio = float(given["bodyMass"])/(float(given["liquidDensity"])*float(given["bodyVolume"]))
     added = 1.0 if given["model"] == "plane" else 0.5
     up = of["vy_m_s" if given["application"] == "plungeSPH" else "vz_m_s"][-1]
@@ -184,7 +195,7 @@ def release(done: Done) -> float:
 
 def slap(done: Done) -> float:
     """A disc that hits a surface flat shares its momentum with half of the liquid that it has about it deep inside, 8/3 rho R^3 (Lamb 1932)."""
-    of, given = track(done), parameters(done.path)
+    of, given = done.track, parameters(done.path)
     mass, radius = float(given["bodyMass"]), 0.5*float(given["bodyLength"])*float(given["thicknessRatio"])
     contact = of["time_s"][np.argmax(of["penetration_m"] >= 0)]
     after = float(np.interp(contact + 1e-4, of["time_s"], of["speed_m_s"]))
@@ -198,7 +209,7 @@ def tank(done: Done) -> float:
 
 def fall(done: Done) -> float:
     """Of a body that is above the surface: from its first row there to the last."""
-    of, up = track(done), "vy_m_s" if parameters(done.path)["application"] == "plungeSPH" else "vz_m_s"
+    of, up = done.track, "vy_m_s" if parameters(done.path)["application"] == "plungeSPH" else "vz_m_s"
     dry = np.flatnonzero(of["penetration_m"] < -0.01)
     first, last = dry[0], dry[-1]
     return float((of[up][first] - of[up][last])/(G*(of["time_s"][last] - of["time_s"][first])))
@@ -206,12 +217,12 @@ def fall(done: Done) -> float:
 
 def creep(done: Done) -> float:
     given = parameters(done.path)
-    return float(fluid_force(track(done))[2, -1]/(float(given["liquidViscosity"])*float(given["speed"])))
+    return float(fluid_force(done.track)[2, -1]/(float(given["liquidViscosity"])*float(given["speed"])))
 
 
 def stokes(done: Done) -> float:
     """Along the axis of a prolate one (Happel and Brenner 1965)."""
-    of, given = track(done), {name: float(parameters(done.path)[name]) for name in ("liquidViscosity", "bodyLength", "thicknessRatio", "speed")}
+    of, given = done.track, {name: float(parameters(done.path)[name]) for name in ("liquidViscosity", "bodyLength", "thicknessRatio", "speed")}
     e = float(np.sqrt(1 - given["thicknessRatio"]**2))
     drag = 8*np.pi*given["liquidViscosity"]*given["bodyLength"]*given["speed"]*e**3/((1 + e*e)*np.log((1 + e)/(1 - e)) - 2*e)
     return float((of["Fpz_N"][-1] + of["Fvz_N"][-1])/drag)
@@ -219,7 +230,7 @@ def stokes(done: Done) -> float:
 
 def skip(done: Done) -> float:
     """Over the speed at the start."""
-    of = track(done)
+    of = done.track
     return float(of["vz_m_s"][-1]/of["speed_m_s"][0])
 
 
@@ -245,6 +256,7 @@ study = Study(
         finished(TWIN, over_twin(impulse), 1, 0.01), finished(RELEASE, release, 1, 0.03), finished(SLAP, slap, 1, 0.1), finished(TANK, tank, 1, 0.01),
         finished(FALL, fall, 1, 0.01), finished(CREEP, over_twin(creep), 1, 0.01),
         finished(STOKES, stokes, 1, 0.03), finished(BUDGET, budget, 0, 0.001), Quantity(SKIP, "1", of_finished(skip, SKIP), least=0.01, word=word),
+        Quantity(SINK, "1", of_finished(lambda done: -skip(done), SINK), least=0.01, word=word),
         finished(PASSIVE, over_twin(impulse), 1, 0.01),
         Quantity("peak of the force over rho U2 L2, over the twin's", "1", of_finished(over_twin(peak), TWIN)),
         Quantity("exit status", "1", no_figure, word=ending)],

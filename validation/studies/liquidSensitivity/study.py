@@ -12,7 +12,7 @@ import numpy as np
 
 from plunge import fluids as pairs
 from plunge.foamDictionary import read, write_nested
-from plunge.results import gather, read_numbers
+from plunge.results import read_numbers
 from plunge.shapes import NACA
 from plunge.studies import REPOSITORY
 from plunge.studies.scenes import prepare, solve as solveRun
@@ -36,7 +36,7 @@ def solve(run: Run, path: Path) -> None:
 
 def figures(done: Done) -> dict:
     """Accelerations are [m/s2], of the whole body."""
-    given, track = read(done.path / "system/plungeGenerated"), gather(done.path)["trajectory"]
+    given, track = read(done.path / "system/plungeGenerated"), done.track
     found = {name: value for name, (value, _) in read_numbers(done.path / "results/summary.csv").items()}
     along = sum(track[f"Fv{axis}_N"]*track[f"v{axis}_m_s"] for axis in "xyz")/track["speed_m_s"]
     body = NACA(given["bodyLength"], given["thicknessRatio"])

@@ -6,7 +6,7 @@ background that follows each length should cost as much as the one before. Free,
 beside those that slenderBody has for the same dive."""
 import numpy as np
 
-from plunge.results import gather, parameters
+from plunge.results import parameters
 from plunge.studies.dives import Dive, Difference
 from plunge.studies.pictures import draw
 from plunge.studies.scenes import solveScene
@@ -33,17 +33,13 @@ def isAxial(run: Run) -> bool:
     return run.variant in (FOLLOWING, STANDING)
 
 
-def track(done) -> dict[str, np.ndarray]:
-    return gather(done.path)["trajectory"]
-
-
 def atEnd(column: str):
-    return lambda done: float(track(done)[column][-1])
+    return lambda done: float(done.track[column][-1])
 
 
 def cost(done) -> float | None:
     """CPU time of the last length that the nose travels in the liquid over that of the third, or of the last but one where there are fewer."""
-    table, steps = track(done), readLog(done.path / "log.plungeFoam")
+    table, steps = done.track, readLog(done.path / "log.plungeFoam")
     used = np.array([step.cpu for step in steps])
     travelled = np.interp([step.time for step in steps], table["time_s"], table["penetration_m"])/float(parameters(done.path)["bodyLength"])
     last = np.floor(travelled[-1])
@@ -72,5 +68,5 @@ study = Study(
         Quantity("pitch at the end", "deg", only(atEnd("pitch_deg"), lambda run: not isAxial(run)))],
     headlines=["speed, largest difference over the impact speed", "CPU time of the last body length over that of the third"],
     figure=lambda done, file: draw(file, [({"xlabel": "time [ms]", "ylabel": label}, {}, {
-        f"{each.run.variant}, {each.run.method}": Signal(1e3*track(each)["time_s"], track(each)[column])
+        f"{each.run.variant}, {each.run.method}": Signal(1e3*each.track["time_s"], each.track[column])
         for each in done}) for column, label in (("speed_m_s", "speed [m/s]"), ("pitch_deg", "pitch [deg]"))], 2))

@@ -11,7 +11,6 @@ from pathlib import Path
 import numpy as np
 
 from plunge.foamDictionary import read
-from plunge.results import gather
 from plunge.studies.dives import STOCK_STENCIL, mesh
 from plunge.studies.particleRuns import CONTROL, call, isComplete, override, setEntry
 from plunge.studies.scenes import prepare
@@ -52,7 +51,7 @@ def solve(run: Run, path: Path) -> None:
 
 def noise(done: Done) -> np.ndarray:
     """Force beside its median, which is the buoyancy, over rho U^2 A/2, at the end of each step [%]."""
-    given, track = read(done.path / "system/plungeGenerated"), gather(done.path)["trajectory"]
+    given, track = read(done.path / "system/plungeGenerated"), done.track
     force = np.stack([track[f"Fp{c}_N"] + track[f"Fv{c}_N"] for c in "xyz"])[:, 1:]
     scale = 0.5*given["liquidDensity"]*given["speed"]**2*math.pi*(0.5*given["thicknessRatio"]*given["bodyLength"])**2
     return 100*np.linalg.norm(force - np.median(force, axis=1)[:, None], axis=0)/scale

@@ -11,7 +11,7 @@ from __future__ import annotations
 import numpy as np
 
 from plunge import tankTables
-from plunge.results import gather, running_mean
+from plunge.results import running_mean
 from plunge.studies.pictures import pyplot
 from plunge.studies.scenes import solveScene
 from plunge.studies.signals import Signal, rms
@@ -60,7 +60,7 @@ def answer(done: Done) -> Signal:
     if done.run.scene == "damBreak":
         of = tankTables.tables(done.path)["gauges"]
         return Signal(of["time_s"], of[next(name for name in of if name.startswith("H2"))])
-    of = gather(done.path)["trajectory"]
+    of = done.track
     return Signal(of["time_s"], running_mean(of["time_s"], of["deceleration_m_s2"], SHARE*of["time_s"][-1]))
 
 

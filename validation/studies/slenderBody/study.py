@@ -4,7 +4,7 @@ C = 2 F/(rho pi R^2 U0^2), F = m (a + g), mean of 0.25 ms, until U0 t/h = 2 (at 
 of the trials and 10 %. The dive: the 3D solver's figures (crossCheck, tier fast), with diveUncertainty's for Titan, in per cent, and 10 %."""
 import numpy as np
 
-from plunge.results import crossing, gather, read_numbers
+from plunge.results import crossing, read_numbers
 from plunge.studies import REPOSITORY
 from plunge.studies.pictures import draw
 from plunge.studies.references import reference
@@ -32,7 +32,7 @@ def cone(name: str, row) -> Run:
 
 def history(done) -> Signal:
     """C over U0 t/h."""
-    row, table = TRIALS[done.run.variant], gather(done.path)["trajectory"]
+    row, table = TRIALS[done.run.variant], done.track
     C = 2*row["mass_kg"]*(table["az_m_s2"] + GRAVITY)/(RHO*np.pi*RADIUS**2*row["U0_m_s"]**2)
     signal = Signal(table["time_s"] - crossing(table["time_s"], table["penetration_m"]), C).mean(INTERVAL)
     return Signal(signal.time*row["U0_m_s"]/HEIGHT[done.run.variant], signal.value).during(0, END)

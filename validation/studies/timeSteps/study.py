@@ -9,7 +9,6 @@ import math
 
 import numpy as np
 
-from plunge.results import gather
 from plunge.studies import heavingSphere
 from plunge.studies.particleRuns import CONTROL
 from plunge.studies.pictures import draw
@@ -31,7 +30,7 @@ def solve(run: Run, path) -> None:
 
 
 def history(done: Done, column: str) -> np.ndarray:
-    table, times = gather(done.path)["trajectory"], TIMES[done.run.scene]
+    table, times = done.track, TIMES[done.run.scene]
     values = table["speed_m_s"][0] - table["speed_m_s"] if column == "lost" else table[column]
     signal = Signal(table["time_s"], values)
     return np.interp(times, *(signal.mean(WINDOW) if column == "a1_m_s2" else signal))

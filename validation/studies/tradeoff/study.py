@@ -4,14 +4,17 @@ rungs beside which no other is both cheaper and better.
 
 The dive into the paper's liquid, to full immersion: largest load along the axis (mean of 1 ms), velocity lost, pitch. Its reference is what three
 resolutions of the default method at the Courant number 1 extrapolate to; its uncertainty is the grid convergence index of the finest. The cone of 45 degrees that
-falls from 0.5 m: its reference is the mean of the trials, with two standard deviations. Errors are in percent of the reference; nothing is judged. A
+falls from 0.5 m: its reference is the mean of the trials, with two standard deviations. The bore on Yeh and Petroff's column: impulse and plateau of the force,
+against the measured ones, whose digitisations differ by 10 %. Errors are in percent of the reference; nothing is judged. A
 rung that differs by one setting is named by it; what is left out (boundary layer) is such a setting, too. The fluids are isothermal: their properties are
 found once, before the first step, and cost the same by table and by equation. The rungs of the full tier take half an hour of one core, those of the tier
 `night` (finer meshes, wall functions, particles at their own spacing and in double precision, two ranks) some hours more; killed, the study goes on where it was."""
 from __future__ import annotations
 
 import csv
+from dataclasses import replace
 from functools import lru_cache
+from pathlib import Path
 
 from plunge.estimate import ERRORS
 from plunge.results import read_numbers
@@ -25,6 +28,7 @@ from plunge.studies.study import Done, Quantity, Run, Study, module
 
 CONES = module("coneEntry")
 CONE = "45 deg 0.5 m"
+BORE = module("yehPetroff")
 SOLUTION, SCHEMES = "system/fvSolution", "system/fvSchemes"
 SMALL_STEPS = {CONTROL: "maxCo 1; maxAlphaCo 0.5; maxDeltaT 2e-4;"}
 REFERENCE, SERIES = "following, Courant 1", ("fast", "fast 0.7", "fast 0.5")
@@ -63,7 +67,13 @@ def rungs() -> list[Run]:
         "options": ["-set", "frames=1"], "changes": {"constant/particleProperties": f"precision {precision};"}})
         for precision, level, tier in (("single", "fast 0.7", "full"), ("single", "fast", "night"), ("double", "fast", "night"))]
     found += [Run("fallingCone", "particles", CONE, level, ("full",), given={"options": cone}) for level in ("fast", "fast 1.4")]
-    return found
+    found += [replace(run, tiers=(tier,)) for level, tier in (("0.02 m", "full"), ("0.015 m", "full"), ("0.01 m", "night"))
+              for run in BORE.study.runs if (run.method, run.variant, run.resolution) == ("particles", "", level)]
+    return [*found, *(Run("yehPetroff", "meshes", BORE.SLIP, level, (tier,)) for level, tier in (("0.04 m", "full"), ("0.03 m", "full"), ("0.02 m", "night")))]
+
+
+def solve(run: Run, path: Path) -> None:
+    (BORE.study.solve if run.scene == "yehPetroff" else solveScene)(run, path)
 
 
 def summary(name: str):
@@ -75,6 +85,7 @@ ANSWERS = {
     "velocity lost at full immersion": ("m/s", "gannetPlunge", summary("velocity lost at full immersion")),
     "pitch change at full immersion": ("deg", "gannetPlunge", summary("pitch change at full immersion")),
     "peak of C": ("1", "fallingCone", lambda done: float(CONES.peak(done)[1])),
+    **{name: (BORE.FORCE[name][0], "yehPetroff", lambda done, of=BORE.FORCE[name][1]: float(of(BORE.force(done)))) for name in ("force on the plateau", "impulse")},
 }
 
 
@@ -82,6 +93,9 @@ def reference(done: Done, name: str) -> tuple[float, float] | None:
     """And its uncertainty."""
     if done.run.scene == "fallingCone":
         return float(CONES.TRIALS[CONE]["Cpeak_mean"]), 2*float(CONES.TRIALS[CONE]["Cpeak_std"])
+    if done.run.scene == "yehPetroff":
+        _, _, value, share = BORE.FORCE[name]
+        return value, share*value
     series = [other for run in (Run("gannetPlunge", "meshes", REFERENCE, level) for level in SERIES) if (other := done.others.get(run.key))]
     if len(series) < len(SERIES):
         return None
@@ -157,7 +171,7 @@ def writeErrors(done, rows, clean: bool) -> None:
 
 
 study = Study(
-    title="What accuracy costs: the whole ladder, from strips to fine meshes", runs=rungs(), solve=solveScene, after=writeErrors,
+    title="What accuracy costs: the whole ladder, from strips to fine meshes", runs=rungs(), solve=solve, after=writeErrors,
     sources=("src/freeSurfaceFlow", "src/oversetMethods", "src/rigidBody", "src/smoothedParticles", "src/slenderBody", "applications/solvers", "etc/methods/tiers"),
     quantities=[
         *(Quantity(name, unit, lambda done, s=scene, of=of: of(done) if done.run.scene == s else None) for name, (unit, scene, of) in ANSWERS.items()),

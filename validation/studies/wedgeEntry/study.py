@@ -6,7 +6,6 @@ The force at constant speed is that of rho V^3 t: of its slope from a third to t
 is the largest at that last time. Judged: 5 %, and for the falling wedge the distance of the boundary elements from the experiment, rms."""
 import numpy as np
 
-from plunge.results import gather
 from plunge.studies import REPOSITORY
 from plunge.studies.foamFields import readCells, times
 from plunge.studies.pictures import draw
@@ -41,7 +40,7 @@ def options(run: Run) -> list[str]:
 
 
 def force(done) -> Signal:
-    of = gather(done.path)["trajectory"]
+    of = done.track
     return Signal(of["time_s"][1:], (of["Fpz_N"] + of["Fvz_N"])[1:]/(RHO*SPEED**3))
 
 
@@ -55,7 +54,7 @@ def pressure(done) -> float:
 
 
 def speed(done) -> Signal:
-    of = gather(done.path)["trajectory"]
+    of = done.track
     return Signal(of["time_s"], -of["vz_m_s"])
 
 

@@ -9,7 +9,7 @@ import math
 import numpy as np
 
 from plunge import fluids as pairs
-from plunge.results import gather, parameters
+from plunge.results import parameters
 from plunge.shapes import NACA
 from plunge.studies.particleRuns import call
 from plunge.studies.pictures import draw
@@ -71,7 +71,7 @@ def spread(name: str, unit: str, column: str, what=lambda values: values) -> lis
 
 
 def track(done, x: str, y: str) -> Signal:
-    table = gather(done.path)["trajectory"]
+    table = done.track
     return Signal(table[x], table[y])
 
 

@@ -11,7 +11,7 @@ from math import isfinite
 from pathlib import Path
 from typing import Any, Callable, Iterator, Mapping, Sequence, Union
 
-from plunge.results import CaseError, cell_count, cpu_seconds, particle_counts, solver_name
+from plunge.results import CaseError, cell_count, cpu_seconds, gather, particle_counts, solver_name
 from plunge.studies import REPOSITORY
 from plunge.studies.foamFields import times
 
@@ -101,6 +101,11 @@ class Done:
             return cpu_seconds(self.path)
         except CaseError:
             return None
+
+    @cached_property
+    def track(self) -> Any:
+        """The table of the body's motion, whole over restarts."""
+        return gather(self.path)["trajectory"]
 
 
 Number = Union[None, float, Callable[[Done], Union[None, float]]]
