@@ -26,6 +26,8 @@ _HIGHEST_WEBER = 1e6
 _MOSTLY_LAMINAR = 2.0
 # Travel from rest over the body's length above which the background follows: a corridor of fine cells would have more than those about the body
 _FAR = 1.0
+# Width over length above which the flow about a smooth body separates where that along walls that slip does not
+_BLUNT = 0.5
 # Mach number above which a flow's density changes by more than a twentieth
 _COMPRESSIBLE = 0.3
 
@@ -186,10 +188,15 @@ def described(**decisions: Decision) -> list[str]:
 
 def sections(decided: dict[str, Decision], scene: Scene, method: str) -> dict[str, Any]:
     """Entries of plungeGenerated."""
+    notes = list(scene.notes)
+    layer = decided["boundary_layer"].choice
+    if method == "meshes" and layer in ("frictionLine", "none") and scene.shape.slenderness > _BLUNT:
+        notes.append(f"With boundary layer {layer} the walls slip: where a body as blunt as this one (width over length {scene.shape.slenderness:.3g}) is "
+                     "smooth, the flow stays attached to its rear, and a real one separates; -boundaryLayer wallFunction lets it")
     return {
         "boundaryLayer": decided["boundary_layer"].choice,
         **({"transitionReynolds": scene.transition} if method != "particles" else {}),
         "surfaceTensionModelled": decided["surface_tension"].choice,
         "decisions": described(**decided),
-        **({"notes": list(scene.notes)} if scene.notes else {}),
+        **({"notes": notes} if notes else {}),
     }

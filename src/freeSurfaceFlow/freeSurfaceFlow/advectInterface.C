@@ -36,11 +36,13 @@ void Foam::freeSurfaceFlow::advectInterface()
     }
 
     const scalarField& alpha = mixture_.alpha1().primitiveField();
+    const scalar least = gMin(alpha), most = gMax(alpha);
     Info<< "Phase-1 volume fraction = "
         << gSum(alpha*mesh_.V().field())/gSum(mesh_.V().field())
-        << "  Min(" << mixture_.alpha1().name() << ") = " << gMin(alpha)
-        << "  Max(" << mixture_.alpha1().name() << ") = " << gMax(alpha)
+        << "  Min(" << mixture_.alpha1().name() << ") = " << least
+        << "  Max(" << mixture_.alpha1().name() << ") = " << most
         << endl;
+    guard_->checkFractions(max(most - 1, -least));
 }
 
 // ************************************************************************* //

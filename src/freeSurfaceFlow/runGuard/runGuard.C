@@ -35,6 +35,9 @@ const label toldFlips = 10, lostFlips = 50;
 //- Share of the load that a flip has at least
 const scalar largeChange = 0.2;
 
+//- Of a volume fraction beyond its bounds, what is told, and what is lost
+const scalar toldExcess = 0.01, lostExcess = 1;
+
 //- A flow that is followed has no such Courant numbers
 const scalar lostCourant = 1000;
 
@@ -180,6 +183,23 @@ void Foam::runGuard::checkLoads(const vector& load)
                 " N about ", mag(meanLoad_), " N"
             ),
             "shorter steps, or more nCorrectors or nOuterCorrectors."
+        );
+    }
+}
+
+
+void Foam::runGuard::checkFractions(const scalar excess)
+{
+    if (!(excess < lostExcess))
+    {
+        stop(text("Volume fractions of the liquid are out of 0 to 1 by ", excess), "shorter steps, or a better mesh.");
+    }
+    if (excess > toldExcess)
+    {
+        note
+        (
+            "fractions",
+            text("Volume fractions of the liquid are out of 0 to 1 by ", excess, ": expected at most ", toldExcess, ", by shorter steps or a better mesh")
         );
     }
 }

@@ -5,12 +5,13 @@ right: the figure agrees with the formula, limit or twin that its name says; deg
 that the scene declares; refused: an error says what was expected; silent, crash and hang are failures. What has not finished has its exit
 status as its figure. Twins differ by less than 1 %, what the Reynolds number does at the lowest speed; bodies in a domain that ends somewhere and
 particles are within 3 % of formulas for one without end, a slap on gas within 10 % of that without."""
+import re
 import subprocess
 from pathlib import Path
 
 import numpy as np
 
-from plunge.results import fluid_force, parameters
+from plunge.results import fluid_force, parameters, solver_log
 from plunge.studies.outcomes import FINISHED, command, ending, exit_status, keep, of_finished, word
 from plunge.studies.particleRuns import CONTROL, PROPERTIES, override, table
 from plunge.studies.scenes import kill
@@ -23,6 +24,7 @@ TWIN, RELEASE, SLAP, TANK, FALL, CREEP, SKIP = (
     "impulse over rho U L3, over the twin's", "velocity over g t (1 - r)/(r + added mass)", "speed after the slap over that of von Karman's momentum",
     "force on the floor over the liquid's weight", "speed over that of free fall", "force over viscosity and speed, over the twin's of equal Reynolds number",
     "upward velocity of a sphere below the critical angle of ricochet")
+BOUNDS = "largest volume fraction out of 0 to 1, by how much"
 SINK = "downward velocity of a sphere above the critical angle of ricochet"
 STOKES, BUDGET, PASSIVE = "drag over that of Stokes flow about a spheroid", "largest gap of the energy budget over the energy at the start", "impulse over the twin's deep in one fluid"
 PAPER = "eq. 5|outran|Mach number|soft|compress"
@@ -101,8 +103,10 @@ for angle in (90, 70, 45, 20, 0):
         options="-model half", resolution=0.4)
 # Of spheres of the density ratio 2.7 the critical angle is 11 degrees (Johnson and Reid 1975)
 row("ball", STRIPS, "ricochet, below the critical angle", SKIP, "", says="ricochet", quick=True)
-row("ball", MESHES, "ricochet, below the critical angle", SKIP, "entry.angle=5", resolution=0.4)
-row("ball", MESHES, "ricochet, above the critical angle", SINK, "entry.angle=20", resolution=0.4)
+for variant, layer, says in ((", separated", "wallFunction", ""), (", walls slip", "none", "stays attached")):
+    row("ball", MESHES, f"ricochet, below the critical angle{variant}", SKIP, "entry.angle=5|travel=14", says=says, resolution=0.4, options=f"-boundaryLayer {layer}")
+row("ball", MESHES, "ricochet, above the critical angle", SINK, "entry.angle=20", resolution=0.4, options="-boundaryLayer wallFunction")
+row("ball", MESHES, "grazes the surface", BOUNDS, "entry.angle=5|travel=3", resolution=0.4, quick=True)
 row("slap", MESHES, "flat", SLAP)
 row("slap", STRIPS, "flat", SLAP, resolution=1, quick=True)
 # Out of the liquid, and through the floor
@@ -111,7 +115,7 @@ row("sphere", MESHES, "thrown up into a gas of a millionth", FALL, "entry.speed=
     error="The flow diverges", says="of the liquid's density", resolution=0.4)
 row("sphere", STRIPS, "falls in the air", FALL, "entry={ speed 0; gap 0.5; }|duration=0.2", resolution=1, quick=True)
 row("circle", PARTICLES, "falls in the air", FALL, "entry={ speed 0; gap 0.3; }|duration=0.1")
-row("sphere", MESHES, "leaves the background", "", "entry={ speed 2; depth 0.5; }|body.density=8000|duration=0.1", error="leaves the background", options="-mesh overset", trouble="runs on", resolution=0.4)
+row("sphere", MESHES, "leaves the background", "", "entry={ speed 2; depth 0.5; }|body.density=8000|duration=0.1", error="leaves the background", options="-model half -mesh overset", trouble="runs on", resolution=0.4)
 row("circle", PARTICLES, "falls on the floor", "", "entry={ speed 2; depth 0.5; }|body.density=8000|duration=0.1", error="expected", trouble="runs on", resolution=0.4)
 # Liquids at the ends of what they are
 for temperature, error in ((60, "expected 63"), (130, "to 125 K")):
@@ -234,6 +238,11 @@ def skip(done: Done) -> float:
     return float(of["vz_m_s"][-1]/of["speed_m_s"][0])
 
 
+def unbounded(done: Done) -> float:
+    found = np.array(re.findall(r"Min\(alpha.liquid\) = (\S+)  Max\(alpha.liquid\) = (\S+)", solver_log(done.path)), dtype=float)
+    return float(max(-found[:, 0].min(), found[:, 1].max() - 1))
+
+
 def budget(done: Done) -> float:
     of = table(done.path, "energy")
     return float(np.abs(of["imbalance_J"]).max()/of["kinetic_J"][0])
@@ -257,6 +266,7 @@ study = Study(
         finished(FALL, fall, 1, 0.01), finished(CREEP, over_twin(creep), 1, 0.01),
         finished(STOKES, stokes, 1, 0.03), finished(BUDGET, budget, 0, 0.001), Quantity(SKIP, "1", of_finished(skip, SKIP), least=0.01, word=word),
         Quantity(SINK, "1", of_finished(lambda done: -skip(done), SINK), least=0.01, word=word),
+        Quantity(BOUNDS, "1", of_finished(unbounded, BOUNDS), most=0.01, word=word),
         finished(PASSIVE, over_twin(impulse), 1, 0.01),
         Quantity("peak of the force over rho U2 L2, over the twin's", "1", of_finished(over_twin(peak), TWIN)),
         Quantity("exit status", "1", no_figure, word=ending)],
