@@ -2,10 +2,11 @@
 """What a dive costs with plungeFoam and with OpenFOAM's overInterDyMFoam, and how wrong each is; plunge.studies.stockContest says how they
 compare. Each runs alone. plungeFoam is as plungeCase makes it, on a background that follows the body, and on a single mesh; the stock
 solver, which can do neither, stands on a background along the path, with Euler's steps at the Courant number 1, its tutorials' correctors or
-those that are enough here. plungeFoam on that mesh with those steps says what is gained in a step, and what by the method. Errors are
+those that are enough here. Its errors are larger than ours; steps of the Courant number 4 bring ours nearer to them. plungeFoam on that mesh with those steps says what is gained in a step, and what by the method. Errors are
 differences to a dive on a single mesh with steps eight times as short.
 
-Judged: a fifth of the time of the stock solver as its tutorials have it, 0.35 of that of the best tuned, with no larger error; half of it for
+Judged, of each way of ours: a fifth of the time of the stock solver as its tutorials have it, 0.35 of that of the best tuned, with no larger mean error of the
+axial load than the latter's; half of it for
 OpenFOAM's tutorial floatingBody with the same steps. Two processes against one: the same time steps; the efficiency is that of the CPU time, which
 includes waiting, and should be 90 %."""
 from functools import lru_cache
@@ -17,12 +18,13 @@ from plunge.studies.pictures import draw
 from plunge.studies.scenes import solveScene
 from plunge.studies.signals import Signal
 from plunge.studies.solverLogs import perStep, readLog
-from plunge.studies.stockContest import DIVES, OURS, REFERENCE, SAME, SINGLE, STOCK, TUNED, floatingBody, height, profile
+from plunge.studies.stockContest import DIVES, LONGER, OURS, REFERENCE, SAME, SINGLE, STOCK, TUNED, floatingBody, height, profile
 from plunge.studies.study import Done, Quantity, Run, Study, only, twin
 
 ONE, TWO = "1 process", "2 processes"
 COUNT, STEP = 100, 3e-5     # time steps [-], [s]
 PARTS = ("lduMatrix::solver.p_rgh", "mesh motion", "interface", "momentum", "overset stencil", "pressure", "unique volume")
+WAYS = OURS, SINGLE, LONGER
 dive = lru_cache(maxsize=None)(Dive)
 
 
@@ -40,12 +42,13 @@ def against(variant: str, value, *of: str, scene: str = "gannetPlunge"):
     return twin(value, lambda run: run.variant in of and run.scene == scene, variant=variant)
 
 
-def ratio(*of: str, scene: str = "gannetPlunge"):
-    return against(OURS, lambda done, ours: ours.cpu/done.cpu, *of, scene=scene)
-
-
 def error(load: str, norm: str):
     return against(REFERENCE, lambda done, other: float(getattr(getattr(Difference(dive(done.path), dive(other.path)), load), norm)()), *DIVES)
+
+
+def meanError(done: Done) -> float:
+    """Of the axial load [%], against the reference."""
+    return float(Difference(dive(done.path), dive(done.beside(variant=REFERENCE).path)).axial.mean())
 
 
 def isDive(run: Run) -> bool:
@@ -64,10 +67,11 @@ study = Study(
           *(Run("floatingBody", "meshes", variant, "0.5") for variant in (OURS, STOCK, REFERENCE))],
     solve=solve, sources=("src/freeSurfaceFlow", "src/oversetMethods", "src/rigidBody", "applications/solvers/plungeFoam", "etc/methods"),
     quantities=[
-        Quantity("CPU time of plungeFoam over that of this, as in its tutorials", "1", ratio(STOCK), most=0.2),
-        Quantity("CPU time of plungeFoam over that of this, best tuned", "1", ratio(TUNED), most=0.35),
-        Quantity("CPU time of plungeFoam over that of this", "1", ratio(SAME, SINGLE)),
-        Quantity("CPU time of plungeFoam over that of this, same steps", "1", ratio(STOCK, scene="floatingBody"), most=0.5),
+        Quantity("CPU time over that of the stock solver, as in its tutorials", "1", against(STOCK, lambda ours, done: ours.cpu/done.cpu, *WAYS), most=0.2),
+        Quantity("CPU time over that of the stock solver, best tuned", "1", against(TUNED, lambda ours, done: ours.cpu/done.cpu, *WAYS), most=0.35),
+        Quantity("mean error of the axial load over that of the stock solver, best tuned", "1",
+                 against(TUNED, lambda ours, done: meanError(ours)/meanError(done), *WAYS), most=1),
+        Quantity("CPU time of plungeFoam over that of this, same steps", "1", against(OURS, lambda done, ours: ours.cpu/done.cpu, STOCK, scene="floatingBody"), most=0.5),
         Quantity("CPU time over that of plungeFoam on the same mesh with the same steps", "1",
                  against(SAME, lambda done, same: done.cpu/same.cpu, STOCK, TUNED)),
         Quantity("time steps", "1", only(lambda done: done.steps, isDive)),
@@ -83,7 +87,7 @@ study = Study(
             abs(height(done.path).less(height(other.path))).max()/height(other.path).value.ptp()), OURS, STOCK, scene="floatingBody")),
         *(Quantity(f"share of a step: {part}", "%", only(lambda done, p=part: profile(done.path).get(p), lambda run: isDive(run) and run.variant in (OURS, SINGLE)))
           for part in PARTS)],
-    headlines=["CPU time of plungeFoam over that of this, as in its tutorials", "CPU time of plungeFoam over that of this, best tuned"],
+    headlines=["CPU time over that of the stock solver, as in its tutorials", "CPU time over that of the stock solver, best tuned"],
     figure=lambda done, file: draw(file, [({"xlabel": "time [ms]", "ylabel": f"{load} load on the body, running mean [N]"}, {}, {
         each.run.variant: Signal(1e3*dive(each.path).time, dive(each.path).mean[load])
         for each in done if isDive(each.run)}) for load in ("axial", "lateral")], 2))

@@ -24,6 +24,7 @@ from plunge.studies.tutorials import setUp
 
 OURS, STOCK, REFERENCE = "plungeFoam", "overInterDyMFoam", "quarter steps"
 SAME, SINGLE, TUNED = "plungeFoam, stock's mesh and steps", "plungeFoam, single mesh", f"{STOCK}, this case's correctors"
+LONGER = "plungeFoam, single mesh, Courant number 4"
 
 
 PROFILED = {CONTROL: "profiling { active true; }"}
@@ -48,6 +49,7 @@ _SCHEMES = f"ddtSchemes {{ default Euler; }} oversetInterpolation {{ {STOCK_STEN
 DIVES = {
     OURS: ("auto", _changes()),
     SINGLE: ("single", _changes()),
+    LONGER: ("single", _changes("maxCo 4; maxAlphaCo 2; maxDeltaT 8e-4;", 'solvers { "alpha.liquid.*" { nAlphaSubCycles 4; } }')),
     SAME: ("overset", _changes(_STEPS, f"{_CORRECTORS} {_ONE_CYCLE}")),
     STOCK: ("overset", _changes(f"{_PROGRAM} {_STEPS}", f"PIMPLE {{ momentumPredictor no; nCorrectors 3; }} {_ONE_CYCLE} {WITH_DILU}", _SCHEMES)),
     TUNED: ("overset", _changes(f"{_PROGRAM} {_STEPS}", f"{_CORRECTORS} {_ONE_CYCLE} {WITH_DILU}", _SCHEMES)),
@@ -58,7 +60,8 @@ FLOATING = {
     STOCK: {"system/fvSchemes": "oversetInterpolation { method trackingInverseDistance; searchBoxDivisions ((64 64 64) (64 64 64)); }"},
     OURS: {
         "system/fvSchemes": "oversetInterpolation { method rigidZones; }",
-        "system/fvSolution": "PIMPLE { momentumPredictor yes; nOuterCorrectors 1; nCorrectors 2; }",
+        "system/fvSolution": "solvers { p_rgh { preconditioner aggregationMultigrid; } p_rghFinal { preconditioner aggregationMultigrid; } } "
+                             "PIMPLE { momentumPredictor yes; nOuterCorrectors 1; nCorrectors 2; }",
         CONTROL: "libs (overset fvMotionSolvers rigidBody);",
         "constant/dynamicMeshDict": "sixDoFRigidBodyMotionCoeffs { accelerationRelaxation 1; accelerationDamping 1; "
                                     "solver { type addedMass; } }",
