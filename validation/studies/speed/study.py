@@ -2,13 +2,13 @@
 """What a dive costs with plungeFoam and with OpenFOAM's overInterDyMFoam, and how wrong each is; plunge.studies.stockContest says how they
 compare. Each runs alone. plungeFoam is as plungeCase makes it, on a background that follows the body, and on a single mesh; the stock
 solver, which can do neither, stands on a background along the path, with Euler's steps at the Courant number 1, its tutorials' correctors or
-those that are enough here. Its errors are larger than ours; steps of the Courant number 4 bring ours nearer to them. plungeFoam on that mesh with those steps says what is gained in a step, and what by the method. Errors are
-differences to a dive on a single mesh with steps eight times as short.
+those that are enough here. Its errors are larger than ours; steps of the Courant number 4 bring ours nearer to them. plungeFoam on that mesh
+with those steps says what is gained in a step, and what by the method. Errors are differences to a dive on a single mesh with steps eight
+times as short.
 
-Judged, of each way of ours: a fifth of the time of the stock solver as its tutorials have it, 0.35 of that of the best tuned, with no larger mean error of the
-axial load than the latter's; half of it for
-OpenFOAM's tutorial floatingBody with the same steps; the tier standard in 20 minutes on two cores. Two processes against one: the same time steps; the efficiency is that of the CPU time, which
-includes waiting, and should be 90 %."""
+Judged, of each way of ours: a fifth of the time of the stock solver as its tutorials have it, 0.35 of that of the best tuned, with no larger
+mean error of the axial load than the latter's. Beside these: half of the time for OpenFOAM's tutorial floatingBody with the same steps; the
+tier standard in 20 minutes on two cores; two processes, which include waiting in their CPU time, at an efficiency of 90 %."""
 from functools import lru_cache
 from pathlib import Path
 
