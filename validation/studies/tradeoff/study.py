@@ -5,7 +5,8 @@ rungs beside which no other is both cheaper and better.
 The dive into the paper's liquid, to full immersion: largest load along the axis (mean of 1 ms), velocity lost, pitch. Its reference is what three
 resolutions of the default method at the Courant number 1 extrapolate to; its uncertainty is the grid convergence index of the finest. The cone of 45 degrees that
 falls from 0.5 m: its reference is the mean of the trials, with two standard deviations. The bore on Yeh and Petroff's column: impulse and plateau of the force,
-against the measured ones, whose digitisations differ by 10 %. Errors are in percent of the reference; nothing is judged. A
+against the measured ones, whose digitisations differ by 10 %. The first second of the dive, in which the body turns: depth, against what three
+resolutions of the default method extrapolate to. Errors are in percent of the reference; nothing is judged. A
 rung that differs by one setting is named by it; what is left out (boundary layer) is such a setting, too. The fluids are isothermal: their properties are
 found once, before the first step, and cost the same by table and by equation. The rungs of the full tier take half an hour of one core, those of the tier
 `night` (finer meshes, wall functions, particles at their own spacing and in double precision, two ranks) some hours more; killed, the study goes on where it was."""
@@ -15,6 +16,8 @@ import csv
 from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
+
+import numpy as np
 
 from plunge.estimate import ERRORS
 from plunge.results import read_numbers
@@ -29,6 +32,7 @@ from plunge.studies.study import Done, Quantity, Run, Study, module
 CONES = module("coneEntry")
 CONE = "45 deg 0.5 m"
 BORE = module("yehPetroff")
+DEEP, DEEP_SERIES = "one second", ("fast 0.7", "fast 0.5", "fast 0.35")
 SOLUTION, SCHEMES = "system/fvSolution", "system/fvSchemes"
 SMALL_STEPS = {CONTROL: "maxCo 1; maxAlphaCo 0.5; maxDeltaT 2e-4;"}
 REFERENCE, SERIES = "following, Courant 1", ("fast", "fast 0.7", "fast 0.5")
@@ -59,6 +63,9 @@ def rungs() -> list[Run]:
     found += [Run("fallingCone", "meshes", CONE, level, ("full", "quick") if level == "fast 0.5" else ("full",), given={"options": cone})
               for level in ("fast 0.5", "fast 0.7", "fast", "fast 1.4")]
     found += [Run("gannetPlunge", "slenderBody", "strips", "", ("full", "quick"))]
+    # At 25 m/s it would travel 25 of its lengths
+    second = {"options": ["-set", "travel=25.1", "-set", "frames=1"]}
+    found += [Run("gannetPlunge", "slenderBody", DEEP, given=second), *(Run("gannetPlunge", "meshes", DEEP, level, given=second) for level in DEEP_SERIES)]
     for variant, (options, changes) in SETTINGS.items():
         given = {"options": [*options, "-set", "frames=1"], "changes": changes}
         for tier, levels in (("full", LEVELS.get(variant, ("fast",))), ("night", NIGHT.get(variant, ()))):
@@ -80,10 +87,17 @@ def summary(name: str):
     return lambda done: read_numbers(done.path/"results/summary.csv")[name][0]
 
 
+def question(scene: str, variant: str) -> str:
+    """That a run answers."""
+    return DEEP if variant == DEEP else scene
+
+
 ANSWERS = {
     "largest axial load": ("N", "gannetPlunge", lambda done: float(dive(done.path).mean["axial"].max())),
     "velocity lost at full immersion": ("m/s", "gannetPlunge", summary("velocity lost at full immersion")),
     "pitch change at full immersion": ("deg", "gannetPlunge", summary("pitch change at full immersion")),
+    "depth after one second": ("m", DEEP, lambda done: float(np.interp(1, done.track["time_s"] - done.track["time_s"][np.argmax(done.track["penetration_m"] >= 0)],
+                                                                       done.track["penetration_m"]))),
     "peak of C": ("1", "fallingCone", lambda done: float(CONES.peak(done)[1])),
     **{name: (BORE.FORCE[name][0], "yehPetroff", lambda done, of=BORE.FORCE[name][1]: float(of(BORE.force(done)))) for name in ("force on the plateau", "impulse")},
 }
@@ -96,8 +110,9 @@ def reference(done: Done, name: str) -> tuple[float, float] | None:
     if done.run.scene == "yehPetroff":
         _, _, value, share = BORE.FORCE[name]
         return value, share*value
-    series = [other for run in (Run("gannetPlunge", "meshes", REFERENCE, level) for level in SERIES) if (other := done.others.get(run.key))]
-    if len(series) < len(SERIES):
+    variant, levels = (DEEP, DEEP_SERIES) if done.run.variant == DEEP else (REFERENCE, SERIES)
+    series = [other for run in (Run("gannetPlunge", "meshes", variant, level) for level in levels) if (other := done.others.get(run.key))]
+    if len(series) < len(levels):
         return None
     found = gridConvergence([each.run.size for each in series], [ANSWERS[name][2](each) for each in series], 1, 2)
     value = ANSWERS[name][2](series[0])
@@ -106,8 +121,8 @@ def reference(done: Done, name: str) -> tuple[float, float] | None:
 
 def error(name: str):
     def of(done: Done) -> float | None:
-        _, scene, value = ANSWERS[name]
-        known = reference(done, name) if done.run.scene == scene else None
+        _, asked, value = ANSWERS[name]
+        known = reference(done, name) if question(done.run.scene, done.run.variant) == asked else None
         return 100*abs(value(done)/known[0] - 1) if known else None
     return of
 
@@ -125,7 +140,7 @@ def front(points: list[tuple[float, float, str]]) -> list[tuple[float, float, st
 
 def points(done, name: str) -> list[tuple[float, float, str]]:
     return [(each.cpu, value, " ".join(filter(None, (each.run.method if each.run.method != "meshes" else "",
-                                                     each.run.variant if each.run.scene != "fallingCone" else "", each.run.resolution))))
+                                                     each.run.variant if each.run.scene != "fallingCone" and each.run.variant != DEEP else "", each.run.resolution))))
             for each in done if each.cpu and (value := error(name)(each)) is not None]
 
 
@@ -138,7 +153,7 @@ def draw(done, file) -> None:
         axis.loglog([cost for cost, *_ in best], [off for _, off, _ in best], "o-", color="C3", label="front")
         for cost, off, label in of:
             axis.annotate(label, (cost, off), fontsize=6, xytext=(3, 3), textcoords="offset points")
-        axis.axhline(next(100*sure(each, name) for each in done if each.run.scene == ANSWERS[name][1] and reference(each, name)), color="0.5", linestyle=":", label="uncertainty of the reference")
+        axis.axhline(next(100*sure(each, name) for each in done if question(each.run.scene, each.run.variant) == ANSWERS[name][1] and reference(each, name)), color="0.5", linestyle=":", label="uncertainty of the reference")
         axis.set(xlabel="CPU time [s]", ylabel="error [%]", title=f"{ANSWERS[name][1]}: {name}")
         axis.legend(fontsize="small")
     picture.savefig(file, dpi=90)
@@ -148,10 +163,10 @@ def draw(done, file) -> None:
 def answers(rows: list[dict[str, str]]) -> list[str]:
     """If so much CPU time is to be had: which rung, and what error; as Markdown."""
     lines = []
-    for name, (_, scene, _) in ANSWERS.items():
-        of = [(float(row["cpu_s"]), float(row["value"]), ", ".join(filter(None, (row["method"], row["variant"] if scene != "fallingCone" else "", row["resolution"]))))
+    for name, (_, asked, _) in ANSWERS.items():
+        of = [(float(row["cpu_s"]), float(row["value"]), ", ".join(filter(None, (row["method"], row["variant"] if asked not in ("fallingCone", DEEP) else "", row["resolution"]))))
               for row in rows if row["quantity"] == f"error of {name}" and row["cpu_s"]]
-        lines += [[f"{scene}: {name}", f"{cost:.2g} s" if cost < 60 else f"{cost/60:.2g} min", rung, f"{off:.2g} %"] for cost, off, rung in front(of)]
+        lines += [[f"{asked if asked != DEEP else 'gannetPlunge'}: {name}", f"{cost:.2g} s" if cost < 60 else f"{cost/60:.2g} min", rung, f"{off:.2g} %"] for cost, off, rung in front(of)]
     return ["The front: with so much CPU time, this rung, and this error.", "", *markdown(["question", "CPU time", "rung", "error"], lines)]
 
 
@@ -174,9 +189,9 @@ study = Study(
     title="What accuracy costs: the whole ladder, from strips to fine meshes", runs=rungs(), solve=solve, after=writeErrors,
     sources=("src/freeSurfaceFlow", "src/oversetMethods", "src/rigidBody", "src/smoothedParticles", "src/slenderBody", "applications/solvers", "etc/methods/tiers"),
     quantities=[
-        *(Quantity(name, unit, lambda done, s=scene, of=of: of(done) if done.run.scene == s else None) for name, (unit, scene, of) in ANSWERS.items()),
+        *(Quantity(name, unit, lambda done, a=asked, of=of: of(done) if question(done.run.scene, done.run.variant) == a else None) for name, (unit, asked, of) in ANSWERS.items()),
         *(Quantity(f"error of {name}", "%", error(name)) for name in ANSWERS),
-        *(Quantity(f"uncertainty of the reference of {name}", "%", lambda done, n=name: (
-            100*sure(done, n) if done.run.variant == REFERENCE and done.run.resolution == SERIES[0] and reference(done, n) else None))
-          for name, (_, scene, _) in ANSWERS.items() if scene == "gannetPlunge")],
+        *(Quantity(f"uncertainty of the reference of {name}", "%", lambda done, n=name, of=of: (
+            100*sure(done, n) if (done.run.variant, done.run.resolution) == of and reference(done, n) else None))
+          for name, (_, asked, _) in ANSWERS.items() for of in [(REFERENCE, SERIES[0]) if asked != DEEP else (DEEP, DEEP_SERIES[0])] if asked in ("gannetPlunge", DEEP))],
     headlines=["error of velocity lost at full immersion", "error of peak of C"], figure=draw)
