@@ -99,8 +99,8 @@ for angle in (1, 15, 30, 45, 60, 75, 90):
     row("spheroid", STRIPS, f"{angle} deg", BUDGET, f"entry.angle={angle}", resolution=1, quick=angle == 1)
 # Deep and without gravity no direction is another: the body's mesh and the background's meet at all of these
 for angle in (90, 70, 45, 20, 0):
-    row("sphere", MESHES, f"{angle} deg, deep", TWIN if angle != 90 else "", f"{DEEP}|entry.angle={angle}|duration=0.005", "90 deg, deep" if angle != 90 else "",
-        options="-model half", resolution=0.4)
+    row("sphere", MESHES, f"{angle} deg, 100 Pa s", CREEP if angle != 90 else "", f"entry.speed=0.01|entry.angle={angle}|body.freedom=prescribed|fluids.gravity=0|fluids.liquidViscosity=100|"
+        "fluids.gasViscosity=1e-5|duration=0.2|tier.maxDeltaT=0.0005", "90 deg, 100 Pa s" if angle != 90 else "", options="-boundaryLayer laminar -model half", says="diffusion number", resolution=0.4)
 # Of spheres of the density ratio 2.7 the critical angle is 11 degrees (Johnson and Reid 1975)
 row("ball", STRIPS, "ricochet, below the critical angle", SKIP, "", says="ricochet", quick=True)
 for variant, layer, says in ((", separated", "wallFunction", ""), (", walls slip", "none", "stays attached")):
@@ -170,19 +170,25 @@ def solve(run: Run, path: Path) -> None:
     keep(path, *command(*limit, path/"Allrun"), error)
 
 
+def scales(done: Done) -> tuple[float, float, float, int]:
+    """Density, speed, length, and the dimensions of the body."""
+    given = parameters(done.path)
+    return *(float(given[name]) for name in ("liquidDensity", "speed", "bodyLength")), 2 if given["model"] == "plane" else 3
+
+
 def peak(done: Done) -> float:
     """Of the fluids' force over rho U^2 L^2, in the plane per metre over rho U^2 L; the start has no acceleration yet."""
-    given = {name: float(parameters(done.path)[name]) for name in ("liquidDensity", "speed", "bodyLength", "dimensions")}
+    density, speed, length, dimensions = scales(done)
     load = np.linalg.norm(fluid_force(done.track), axis=0)[1:].max()
-    return float(load/(given["liquidDensity"]*given["speed"]**2*given["bodyLength"]**(given["dimensions"] - 1)))
+    return float(load/(density*speed**2*length**(dimensions - 1)))
 
 
 def impulse(done: Done) -> float:
     """Of the fluids on the body over rho U L^3, in the plane per metre over rho U L^2."""
-    given = {name: float(parameters(done.path)[name]) for name in ("liquidDensity", "speed", "bodyLength", "dimensions")}
+    density, speed, length, dimensions = scales(done)
     of = done.track
     total = np.linalg.norm((fluid_force(of)[:, 1:]*np.diff(of["time_s"])).sum(axis=1))
-    return float(total/(given["liquidDensity"]*given["speed"]*given["bodyLength"]**given["dimensions"]))
+    return float(total/(density*speed*length**dimensions))
 
 
 def over_twin(value):
@@ -221,7 +227,7 @@ def fall(done: Done) -> float:
 
 def creep(done: Done) -> float:
     given = parameters(done.path)
-    return float(fluid_force(done.track)[2, -1]/(float(given["liquidViscosity"])*float(given["speed"])))
+    return float(np.linalg.norm(fluid_force(done.track)[:, -1])/(float(given["liquidViscosity"])*float(given["speed"])))
 
 
 def stokes(done: Done) -> float:
