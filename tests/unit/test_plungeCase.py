@@ -699,3 +699,16 @@ def test_an_estimate_probes_finer_where_the_coarse_body_is_refused(case: Path, m
     monkeypatch.setattr(estimate, "_probe", lambda *_: probe(*_[:2], 0.1, _[3]))
     with pytest.raises(ParameterError, match="too coarse"):
         estimate.of(case, {}, cases.derive(case))
+
+
+def test_separationNote() -> None:
+    """A body that stands across its path on walls that slip is told of; one that turns when it has all but stopped, or above the surface, or with wall functions, is not."""
+    t = np.linspace(0, 1, 101)
+    across = {"time_s": t, "penetration_m": np.ones(101), "speed_m_s": np.full(101, 10.0), "v1_m_s": 10*np.cos(t), "v2_m_s": np.zeros(101), "v3_m_s": 10*np.sin(t)}
+    said = boundaryLayer.separation_note("frictionLine", across)
+    assert "up to 57 deg" in said and "t = 0.18 s" in said
+    assert boundaryLayer.separation_note("none", across)
+    assert not boundaryLayer.separation_note("wallFunction", across)
+    assert not boundaryLayer.separation_note("frictionLine", {**across, "penetration_m": -np.ones(101)})
+    assert not boundaryLayer.separation_note("frictionLine", {**across, "v3_m_s": np.zeros(101)})
+    assert not boundaryLayer.separation_note("frictionLine", {**across, "speed_m_s": np.where(t > 0.1, 0.1, 10)})

@@ -2,8 +2,9 @@
 """Dives of ten body lengths, on a background that follows the body, and on one that is refined along the whole path.
 
 Along its axis the body stays on its path, and both backgrounds can hold it: the speed should be the same within 1 % of that of the impact, and with the
-background that follows each length should cost as much as the one before. Free, without a tail, the body turns; its depth and pitch at the end stand
-beside those that slenderBody has for the same dive."""
+background that follows each length should cost as much as the one before. Free, without a tail, the body turns across its path; its depth and pitch at the end
+stand beside those that slenderBody has for the same dive. Along walls that slip, as under a friction line, the flow across the body does not separate, so these
+dives are made with wall functions, too."""
 import numpy as np
 
 from plunge.results import parameters
@@ -24,9 +25,9 @@ def axial(variant: str, mesh: str, resolution: str, tier: str, travel: float) ->
                given={"options": [*AXIAL, "-mesh", mesh, "-set", f"travel={travel}"]})
 
 
-def free(method: str, fluids: str) -> Run:
-    return Run("gannetPlunge", method, f"{fluids}, free", "fast" if method == "meshes" else "", ("full",),
-               given={"options": ["-fluids", fluids, "-set", f"travel={LENGTHS}", "-set", "frames=20"]})
+def free(method: str, fluids: str, layer: str = "", resolution: str = "") -> Run:
+    return Run("gannetPlunge", method, f"{fluids}, free" + (f", {layer}" if layer else ""), resolution, ("full",),
+               given={"options": ["-fluids", fluids, *(("-boundaryLayer", layer) if layer else ()), "-set", f"travel={LENGTHS}", "-set", "frames=20"]})
 
 
 def isAxial(run: Run) -> bool:
@@ -35,6 +36,12 @@ def isAxial(run: Run) -> bool:
 
 def atEnd(column: str):
     return lambda done: float(done.track[column][-1])
+
+
+def turned(done, angle: float) -> float:
+    pitch = done.track["pitch_deg"]
+    found = np.flatnonzero(np.abs(pitch - pitch[0]) > angle)
+    return float(done.track["time_s"][found[0]]) if found.size else float("nan")
 
 
 def cost(done) -> float | None:
@@ -54,7 +61,8 @@ study = Study(
     runs=[*(axial(variant, mesh, *of) for of in (("fast 0.5", "full", LENGTHS), ("fast 0.4", "quick", SHORT))
             for variant, mesh in ((FOLLOWING, "following"), (STANDING, "overset"))),
           axial(FOLLOWING, "following", "fast", "full", LENGTHS),
-          *(free(method, fluids) for fluids in ("titan", "water") for method in ("slenderBody", "meshes"))],
+          *(free("slenderBody", fluids) for fluids in ("titan", "water")), free("meshes", "titan", "", "fast"),
+          *(free("meshes", fluids, "wallFunction", "fast 0.5") for fluids in ("titan", "water"))],
     solve=solveScene, sources=("src/freeSurfaceFlow", "src/oversetMethods", "src/rigidBody", "applications/solvers/plungeFoam"),
     quantities=[
         Quantity("speed, largest difference over the impact speed", "%",
@@ -64,6 +72,8 @@ study = Study(
         Quantity("CPU time of the last body length over that of the third", "1", only(cost, lambda run: run.variant == FOLLOWING)),
         Quantity("liquid's volume, largest error over the body's", "%", only(lambda done: Dive(done.path).ledger(), lambda run: run.method == "meshes"), 0,
                  tolerance=0.01, judged=lambda run: run.resolution == "fast"),
+        *(Quantity(f"time until the axis has turned by {angle} deg", "s", only(lambda done, a=angle: turned(done, a), lambda run: not isAxial(run))) for angle in (10, 45)),
+        Quantity("deepest point", "m", only(lambda done: float(done.track["penetration_m"].max()), lambda run: not isAxial(run))),
         Quantity("penetration at the end", "m", atEnd("penetration_m")), Quantity("speed at the end", "m/s", atEnd("speed_m_s")),
         Quantity("pitch at the end", "deg", only(atEnd("pitch_deg"), lambda run: not isAxial(run)))],
     headlines=["speed, largest difference over the impact speed", "CPU time of the last body length over that of the third"],
