@@ -76,7 +76,7 @@ study = Study(
     runs=[*spacings("damBreak", {0.01: ("full",), 0.005: ("full",), 0.0025: ("full",)}, CHANGES),
           *spacings("damBreak", {0.005: ("full",)}, SLIP, "walls slip"), *spacings("damBreak", {0.02: ("quick",)}, CHANGES),
           *(Run("damBreak", "meshes", "", level, tiers, given={"options": TANK})
-            for level, tiers in (("fast 0.5", ("quick", "full", "meshes")), ("fast", ("full", "meshes")), ("fast 1.5", ("full", "meshes")))),
+            for level, tiers in (("fast 0.5", ("quick", "full", "meshes")), ("fast 0.7", ("full", "meshes")), ("fast", ("full", "meshes")))),
           *(Run("damBreak", "meshes", variant, resolution) for variant, resolution in zip(END_WALLS, ("0.01 m", "0.0005 m")))],
     solve=lambda run, path: endWall(path, run.variant) if run.method == "meshes" and run.variant else solveScene(run, path),
     sources=("src/smoothedParticles", "src/freeSurfaceFlow", "applications/solvers"),

@@ -22,7 +22,7 @@ WAVES = {"water": Wave(**WATER, nu=1e-6), VISCOUS: Wave(**WATER, nu=1e-4),
          "Titan": Wave(0.1, 664, 5.353, 0.001014/664, 0.0311, 1.35, 3),
          CAPILLARY: Wave(3e-3, 1, 1, 1e-3, 1, 9.81, 25/(2*np.pi))}
 FLUIDS = {"Titan": "liquid astraeusPaper; gas titanAir;"}
-CELLS = {"water": (32, 64, 128), "Titan": (32, 64, 128), VISCOUS: (16, 32, 64), CAPILLARY: (16, 32, 64)}
+CELLS = {"water": (32, 64, 128), VISCOUS: (16, 32, 64), "Titan": (16, 32, 64), CAPILLARY: (16, 32, 64)}
 PEER = reference("TwoPhaseFlow", "sinWave")
 
 
