@@ -33,7 +33,7 @@ def lost(done) -> float:
 
 def sector(of):
     """That figure of the sector at the same resolution."""
-    return lambda done: of(other) if (other := done.beside(variant=SECTOR)) else None
+    return twin(lambda done, other: of(other), variant=SECTOR)
 
 
 def uncertainty(of):
