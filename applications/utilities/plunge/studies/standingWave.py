@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A small standing wave between two viscous fluids of any densities, whose kinematic viscosities are one: what has an exact solution
 (Prosperetti, Phys. Fluids 24 (1981) 1217; of deep fluids, that start from rest)."""
+import shutil
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -80,6 +81,8 @@ def solve(run: Run, path: Path, wave: Wave, cells: int) -> None:
         (path / "system/setAlphaFieldDict").write_text(
             "FoamFile { version 2.0; format ascii; class dictionary; object setAlphaFieldDict; }\nfield alpha.liquid; type sin; direction (1 0 0); "
             f"up (0 0 1); origin ({-L/4!r} 0 {L!r}); period {L!r}; amplitude {a!r};\n")
+        # It fills cells and empties none
+        shutil.copy(path / "0.orig/alpha.liquid", path / "0/alpha.liquid")
         call(path, "setAlphaField")
     solveRun(path)
 
