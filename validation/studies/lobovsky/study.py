@@ -1,24 +1,26 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Pressures at the end of a tank in a dam break against Lobovsky et al. 2014. Units: T = t sqrt(g/H), pressure over rho g H.
+"""Pressures at the end of a tank in a dam break, of particles and on meshes, against Lobovsky et al. 2014. Units: T = t sqrt(g/H), pressure
+over rho g H.
 
 At sensor 2 a hundred runs were made: 95 of a hundred are inside the band between the percentiles 2.5 and 97.5 at any time, and so
 should the computed pressure be, from the impact on; the peak within that band's half width. Their gate takes time to open and their wave is
 later: time is shifted for the computed pressure to pass 0.5 first when the measured median does. A sensor is 4.2 mm wide and its signal
-has a rate of 20 kHz; the computed pressure is that of particles in the support of the kernel at an instant.
+has a rate of 20 kHz; the computed pressure is that of particles in the support of the kernel at an instant, or of the cell.
 
 Sound in the computed liquid is slower than in water by a factor of 44, and rings: the longest wave that stands in the depth H has a
-period of 4H/c0. So each figure is also given of the pressure's mean over that period. Variants with other walls are not judged: they tell
-what of the pressure is friction's, on meshes with the boundary layer resolved by cells of 0.5 mm, or with walls that slip."""
+period of 4H/c0. So each figure of particles is also given of the pressure's mean over that period. Variants with other walls are not judged:
+they tell what of the pressure is friction's, on meshes with the boundary layer resolved by cells of 0.5 mm, or with walls that slip. The tier
+`meshes` leaves out the particles and these."""
 import numpy as np
 
-from plunge.results import gather
 from plunge.studies.foamFields import numbers
 from plunge.studies.meshTwins import END_WALLS, LENGTH, SENSORS, TOP, endWall
 from plunge.studies.pictures import draw
 from plunge.studies.references import reference
 from plunge.studies.scenes import solveScene, spacings
 from plunge.studies.signals import Signal, rms
-from plunge.studies.study import Quantity, Run, Study
+from plunge.studies.study import Quantity, Run, Study, only
+from plunge.tankTables import tables
 
 DEPTH, GRAVITY, C0 = 0.3, 9.81, 34
 RETURN, RINGING = 5.5, 4*DEPTH/C0*np.sqrt(GRAVITY/DEPTH)    # the wave that comes back falls on the sensor later
@@ -26,6 +28,9 @@ PROPERTIES = ("geometry { fluid ({ type box; min (0 0 0); max (0.6 0.3 0); }); w
               f"max ({LENGTH} {TOP} 0); open (top); }}); }} outputs {{ interval 0.001; gauges {{ front (1.5 0 0); }} probes {{ "
               + " ".join(f"{name} ({LENGTH} {height} 0);" for name, height in SENSORS.items()) + " } }")
 CHANGES = {"constant/particleProperties": PROPERTIES, "system/controlDict": "endTime 1.25; writeInterval 0.05;"}
+TANK = [word for entry, value in (("tank.size", f"({LENGTH} {TOP})"), ("liquid.column.max", "(0.6 0.3)"), ("gauges", "{ front (1.5 0); }"), (
+    "probes", "{ " + " ".join(f"{name} ({LENGTH} {height});" for name, height in SENSORS.items()) + " }"), ("duration", 1.25), ("interval", 0.001))
+    for word in ("-set", f"{entry}={value}")]
 SLIP = {**CHANGES, "constant/particleProperties": PROPERTIES + " walls slip;"}
 BAND = reference("Lobovsky2014", "sensor2")
 LOW, MEDIAN, HIGH = (Signal(BAND["T"], BAND[column]) for column in ("low", "median", "high"))
@@ -38,8 +43,8 @@ def delay(done) -> float:
 
 def pressure(done, sensor: str, later=None) -> Signal:
     """In the time of the measurement and its units."""
-    if done.run.method == "particles":
-        table = gather(done.path)["probes"]
+    if done.run.method == "particles" or not done.run.variant:
+        table = tables(done.path)["probes"]
         time, p = table["time_s"], table[f"{sensor}_p_Pa"]
     else:
         time, p = numbers(done.path / "postProcessing/probes/0/p")[:, [0, 1 + list(SENSORS).index(sensor)]].T
@@ -58,21 +63,30 @@ def noise(done) -> float:
     return rms(steady.value - np.polyval(np.polyfit(*steady, 2), steady.time))
 
 
-PARTICLES = {"judged": lambda run: run.method == "particles" and not run.variant}
+JUDGED = {"judged": lambda run: not run.variant}
+
+
+def ofBoth(window: float, value):
+    """Means over the ringing are those of particles: nothing rings on meshes."""
+    return only(value, lambda run: not window or run.method == "particles")
+
+
 study = Study(
     title="The pressure of a dam break on a wall is inside the band of a hundred runs",
     runs=[*spacings("damBreak", {0.01: ("full",), 0.005: ("full",), 0.0025: ("full",)}, CHANGES),
           *spacings("damBreak", {0.005: ("full",)}, SLIP, "walls slip"), *spacings("damBreak", {0.02: ("quick",)}, CHANGES),
+          *(Run("damBreak", "meshes", "", level, tiers, given={"options": TANK})
+            for level, tiers in (("fast 0.5", ("quick", "full", "meshes")), ("fast 0.7", ("full", "meshes")), ("fast", ("full", "meshes")))),
           *(Run("damBreak", "meshes", variant, resolution) for variant, resolution in zip(END_WALLS, ("0.01 m", "0.0005 m")))],
-    solve=lambda run, path: solveScene(run, path) if run.method == "particles" else endWall(path, run.variant),
-    sources=("src/smoothedParticles", "applications/solvers/plungeSPH"),
+    solve=lambda run, path: endWall(path, run.variant) if run.method == "meshes" and run.variant else solveScene(run, path),
+    sources=("src/smoothedParticles", "src/freeSurfaceFlow", "applications/solvers"),
     quantities=[
-        *(Quantity(f"time inside the band of repeated runs, {until}{of}", "%", lambda done, to=to, w=w: inside(done, to, w), 100, tolerance=5,
-                   **PARTICLES) for to, until in ((RETURN, "to the returning wave"), (7.0, "with the returning wave"))
+        *(Quantity(f"time inside the band of repeated runs, {until}{of}", "%", ofBoth(w, lambda done, to=to, w=w: inside(done, to, w)), 100, tolerance=5,
+                   **JUDGED) for to, until in ((RETURN, "to the returning wave"), (7.0, "with the returning wave"))
           for w, of in ((0, ""), (RINGING, ", mean over the ringing"))),
-        *(Quantity(f"peak at sensor 2{of}", "rho g H", lambda done, w=w: float(
-            np.nanmax(pressure(done, "P2").mean(w).at(BAND["T"]))), float(MEDIAN.value.max()),
-            0.5*float(HIGH.value.max() - LOW.value.max()), converges=True, **PARTICLES) for w, of in ((0, ""), (RINGING, ", mean over the ringing"))),
+        *(Quantity(f"peak at sensor 2{of}", "rho g H", ofBoth(w, lambda done, w=w: float(
+            np.nanmax(pressure(done, "P2").mean(w).at(BAND["T"])))), float(MEDIAN.value.max()),
+            0.5*float(HIGH.value.max() - LOW.value.max()), converges=True, **JUDGED) for w, of in ((0, ""), (RINGING, ", mean over the ringing"))),
         Quantity("mean at sensor 2, T from 3.5 to 5.5", "rho g H", lambda done: float(pressure(done, "P2").during(3.5, RETURN).value.mean()),
                  float(MEDIAN.during(3.5, RETURN).value.mean()), judged=lambda run: False),
         Quantity("noise at sensor 2, rms off a parabola", "rho g H", noise),
