@@ -69,6 +69,13 @@ def test_rows_verdicts_and_uncertainties(toy: Toy) -> None:
     assert {row["version"] for row in table} == {"abc123"}
 
 
+def test_what_another_run_makes_unsure_is_added(toy: Toy) -> None:
+    toy.study.quantities = [Quantity("share", "1", lambda done: 3 + float((done.path / "h").read_text())**2, converges=True,
+                                     unsure=lambda done: None if done.run.size == 0.2 else 0.03)]
+    rows = {(row.variant, row.resolution): row.numerical_uncertainty for row in driver.run([toy.study], "full", 2)[1]["toy"]}
+    assert [rows["", f"{h} m"] for h in (0.1, 0.2, 0.4)] == pytest.approx([(0.0125**2 + 0.03**2)**0.5, 0.05, 0.03])
+
+
 def test_only_what_is_missing_is_made(toy: Toy) -> None:
     driver.run([toy.study], "quick", 1)
     assert len(toy.made) == 3

@@ -339,11 +339,11 @@ def test_particles_fill_whole_spacings_about_the_path(case: Path) -> None:
         assert g["liquidMax"][2] == 0 < g["tankMax"][2]
         assert g["liquidMin"][1] == (0 if model == "half" else -g["liquidMax"][1])
         assert ("front" in g["tankOpen"]) == (model == "half") != ("front" in g["absorbingFaces"])
-        # The path of the nose, and a third of a length about it
+        # The path of the nose, a third of a length below it, and about it as far as the body goes deep, or is long
         end = np.array([0.0, 0, 0.01]) + 1.125 * np.array(g["forward"])
-        assert (np.array(g["liquidMin"])[[0, 2]] <= np.minimum(0, end[[0, 2]]) - 0.35).all()
-        assert g["liquidMax"][0] >= end[0] + 0.35 and g["liquidMax"][1] >= 0.35
-    for tier, least, most in (("fast", 1.3e5, 2e5), ("standard", 3.5e5, 5e5), ("fine", 1.1e6, 1.5e6)):
+        assert (np.array(g["liquidMin"])[[0, 2]] <= np.minimum(0, end[[0, 2]]) - [1, 0.35]).all()
+        assert g["liquidMax"][0] >= end[0] + 1 and g["liquidMax"][1] >= 1
+    for tier, least, most in (("fast", 1.1e6, 1.3e6), ("standard", 2.7e6, 3.1e6), ("fine", 8.8e6, 1e7)):
         assert least < particles(case, "-tier", tier)["fluidParticles"] < most
 
 

@@ -14,13 +14,15 @@ from plunge.decisions import Decision
 from plunge.methods import Asked
 from plunge.methods.meshes import vector
 
-# Half width of the particles' liquid about the path and its depth below it, the part of these that absorbs, and the height
+# Least half width of the particles' liquid about the path and its depth below it, the part of these that absorbs, and the height
 # of the tank above the surface, in body scales.
 _REACH, _ABSORBING, _FREEBOARD = 0.35, 0.1, 0.1
 # Least half width and depth over the body's largest radius
 _LEAST_REACH = 3.5
-# These over those in space: what a body in the plane sets in motion reaches further, and rings are cheap. In a narrow tank the liquid
-# has to rise past the body, which brakes it
+# Half width over how deep the body goes, but for what is beyond its length: in a narrow tank the liquid has to rise past the body, which
+# brakes it. Within 3 % of the speed lost in a wide one (study crossCheck); the depth below the path matters less
+_WIDTH_OVER_DEPTH = 1.05
+# Widths over the least, where they are cheap or, in the plane, what a body sets in motion reaches further: there the depth, too
 _FLAT_REACH = 4
 # c0 over the highest speed that the body could fall at, or that of long waves, unless given: eq. 5 of IAC-20-E2.1.9
 _SOUND_OVER_SPEED = 10
@@ -53,14 +55,14 @@ def sections(particles: Particles) -> list[tuple[str, dict[str, Any]]]:
         return ceil(distance / spacing - 1e-9)
 
     reach = max(_REACH * scale, _LEAST_REACH * scene.shape.max_diameter / 2)
-    if flat:
-        reach *= _FLAT_REACH
     start, end = scene.nose - scene.shape.length * scene.forward, scene.end
+    deepest = max(0.0, -min(end[2], start[2] if scene.immersed else end[2], scene.nose[2]))
+    width = max(reach, _FLAT_REACH * reach if flat else _WIDTH_OVER_DEPTH * min(deepest, scene.shape.length))
+    below = _FLAT_REACH * reach if model == "plane" else reach
     # The nose enters at x = 0; what of the body is above the surface meets no liquid.
     x_low = min(0.0, end[0], start[0] if scene.immersed else 0.0)
-    low = [0 if onAxis else -spacings(reach - x_low), -spacings(reach) if full else 0,
-           -spacings(reach + max(0.0, -min(end[2], start[2] if scene.immersed else end[2], scene.nose[2])))]
-    high = [spacings(reach + max(end[0], start[0] if scene.immersed else end[0], 0.0)), spacings(reach), 0]
+    low = [0 if onAxis else -spacings(width - x_low), -spacings(width) if full else 0, -spacings(below + deepest)]
+    high = [spacings(width + max(end[0], start[0] if scene.immersed else end[0], 0.0)), spacings(width), 0]
     count = int(np.prod([h - l for axis, (l, h) in enumerate(zip(low, high)) if not (flat and axis == 1)]))
     fall = max(0.0, scene.nose[2] - end[2])
     gravity = scene.fluids["gravity"]

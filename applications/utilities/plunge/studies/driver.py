@@ -15,7 +15,7 @@ from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from dataclasses import replace
 from datetime import date
-from math import isfinite
+from math import hypot, isfinite
 from pathlib import Path
 from typing import Any, Iterator, Sequence
 
@@ -129,7 +129,7 @@ def figure(quantity: Quantity, done: Done, study: Study) -> Row | None:
     run = done.run
     row = Row(study.name, run.scene, run.method, run.variant, run.resolution, done.cells, done.steps, quantity.name, float(value),
               quantity.unit, cpu_s=done.cpu, cores=run.cores, version=done.record["version"], date=done.record["date"])
-    row.reference = value_of(quantity.reference, done)
+    row.reference, row.numerical_uncertainty = value_of(quantity.reference, done), value_of(quantity.unsure, done)
     if quantity.judged(run):
         row.reference_uncertainty, row.tolerance = (value_of(number, done) for number in (quantity.uncertainty, quantity.tolerance))
         if quantity.most is not None or quantity.least is not None:
@@ -138,7 +138,8 @@ def figure(quantity: Quantity, done: Done, study: Study) -> Row | None:
 
 
 def converge(study: Study, rows: Sequence[Row]) -> list[str]:
-    """The grid convergence index of quantities at three resolutions and more, as numerical uncertainties; and what order was observed."""
+    """The grid convergence index of quantities at three resolutions and more, as numerical uncertainties, beside those that a row has
+    already; and what order was observed."""
     sizes = {run.key: run.size for run in study.runs}
     said = []
     for name in (quantity.name for quantity in study.quantities if quantity.converges):
@@ -147,7 +148,8 @@ def converge(study: Study, rows: Sequence[Row]) -> list[str]:
             ordered = sorted((row for row in of if row.key[:3] == group), key=lambda row: sizes[row.key[:-1]])
             h, values = [sizes[row.key[:-1]] for row in ordered], [row.value for row in ordered]
             for row, uncertainty in zip(ordered, levels(h, values, *study.orders)):
-                row.numerical_uncertainty = uncertainty
+                known = [float(each) for each in (uncertainty, row.numerical_uncertainty) if each is not None]
+                row.numerical_uncertainty = hypot(*known) if known else None
             if len(values) > 2 and all(map(isfinite, values[:3])):
                 finest = gridConvergence(h[:3], values[:3], *study.orders)
                 said.append(f"    {' '.join(filter(None, group))}: {name}: {finest.convergence}, observed order {finest.observedOrder:.3g}, "

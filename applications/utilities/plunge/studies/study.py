@@ -116,7 +116,8 @@ class Quantity:
     """A figure of a run. It is judged where it has a reference or a bound, and `judged` says so of the run.
 
     of: its value; None where a run has none, nan where it should have one.
-    uncertainty: of the reference, as the measurements scatter; tolerance: what is allowed beyond it."""
+    uncertainty: of the reference, as the measurements scatter; tolerance: what is allowed beyond it; unsure: what the figure's numerical
+    uncertainty has from another run, of which it is a share, beside that from its own resolutions."""
 
     name: str
     unit: str
@@ -129,6 +130,7 @@ class Quantity:
     judged: Callable[[Run], bool] = lambda run: True
     word: Callable[[Done, str], str] = lambda done, verdict: verdict    # the verdict's, where a run may end in any way
     converges: bool = False         # three resolutions of it have an order and a grid convergence index
+    unsure: Number = None
 
 
 @dataclass
