@@ -12,7 +12,7 @@ from plunge import boundaryLayer, case as cases, estimate, fluids as pairs, foam
 from plunge import scene as scenes
 from plunge.checks import ParameterError
 from plunge.methods import meshes, tiers
-from plunge.results import read_scene
+from plunge.results import attitude_notes, read_scene
 from plunge.shapes import NACA
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -712,3 +712,15 @@ def test_separationNote() -> None:
     assert not boundaryLayer.separation_note("frictionLine", {**across, "penetration_m": -np.ones(101)})
     assert not boundaryLayer.separation_note("frictionLine", {**across, "v3_m_s": np.zeros(101)})
     assert not boundaryLayer.separation_note("frictionLine", {**across, "speed_m_s": np.where(t > 0.1, 0.1, 10)})
+
+
+def test_attitudeNotes() -> None:
+    t = np.linspace(0, 1, 101)
+    straight = {"penetration_m": np.ones(101), "speed_m_s": np.full(101, 10.0), "v1_m_s": np.full(101, -10.0), "v2_m_s": np.zeros(101), "v3_m_s": np.zeros(101),
+                "pitch_deg": np.full(101, -90.0)}
+    assert attitude_notes(straight) == []
+    [said] = attitude_notes({**straight, "v3_m_s": 10*np.tan(np.radians(30*t))})
+    assert "up to 30 deg" in said
+    [said] = attitude_notes({**straight, "pitch_deg": -90 + 40*t})
+    assert "elevation" in said
+    assert attitude_notes({name: value for name, value in straight.items() if name[0] != "v"}) == []

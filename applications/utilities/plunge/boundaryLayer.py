@@ -8,6 +8,8 @@ from typing import Mapping
 
 import numpy as np
 
+from plunge.results import incidence
+
 TREATMENTS = ("laminar", "wallFunction", "frictionLine", "none")
 
 # The first cell's share of a laminar layer's thickness: plungeFoam refuses more than a tenth, of all first cells' mean, which is
@@ -24,18 +26,12 @@ _SEPARATING_INCIDENCE = 10
 
 
 def separation_note(layer: str, trajectory: Mapping[str, np.ndarray]) -> str:
-    """What is to be said of a body on walls that slip which has stood across its path; empty where it has not. Velocities are those in body
-    axes; what is slower than a twentieth of the highest speed has no say, nor has what is above the surface."""
-    if layer not in ("frictionLine", "none") or "v1_m_s" not in trajectory:
+    """What is to be said of a body on walls that slip which has stood across its path; empty where it has not."""
+    angle = incidence(trajectory)
+    if layer not in ("frictionLine", "none") or angle.max() < _SEPARATING_INCIDENCE:
         return ""
-    speed = trajectory["speed_m_s"]
-    counts = (trajectory["penetration_m"] > 0) & (speed > 0.05 * speed.max())
-    across = np.hypot(trajectory["v2_m_s"], trajectory["v3_m_s"])
-    incidence = np.where(counts, np.degrees(np.arctan2(across, np.abs(trajectory["v1_m_s"]))), 0.0)
-    if incidence.max() < _SEPARATING_INCIDENCE:
-        return ""
-    since = trajectory["time_s"][np.argmax(incidence > _SEPARATING_INCIDENCE)]
-    return (f"The axis stood at up to {incidence.max():.0f} deg to the body's path, from t = {since:.4g} s on at more than {_SEPARATING_INCIDENCE} deg: there the flow across a "
+    since = trajectory["time_s"][np.argmax(angle > _SEPARATING_INCIDENCE)]
+    return (f"The axis stood at up to {angle.max():.0f} deg to the body's path, from t = {since:.4g} s on at more than {_SEPARATING_INCIDENCE} deg: there the flow across a "
             f"slender body separates (Allen and Perkins 1951), and along walls that slip (boundary layer {layer}) it does not. The motion after that is not to be relied upon; "
             "expected -boundaryLayer wallFunction")
 

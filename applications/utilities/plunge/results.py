@@ -8,7 +8,7 @@ import re
 import subprocess
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Sequence
+from typing import Mapping, Sequence
 
 import numpy as np
 
@@ -18,6 +18,8 @@ Table = dict[str, np.ndarray]  # column name (with unit) -> values
 Quantities = dict[str, tuple[float, str]]  # name -> (value, unit)
 
 G0 = 9.80665  # standard gravity, m/s2
+STARTING = 3  # time steps of a start in the liquid whose loads are the start's
+TURNED = 10  # [deg] from which a body counts as turned away from its path
 IMPACT = 0.25  # of the body's height at the start: the immersed part until which a peak is the impact's
 
 TRAJECTORY_COLUMNS = (
@@ -185,6 +187,27 @@ def fluid_force(trajectory: Table) -> np.ndarray:
     return np.array([trajectory[f"Fp{c}_N"] + trajectory[f"Fv{c}_N"] for c in "xyz"])
 
 
+def incidence(trajectory: Mapping[str, np.ndarray]) -> np.ndarray:
+    """Angle between the body's axis and its path [deg], whichever end leads; 0 above the surface and where the body is slower than a
+    twentieth of its highest speed."""
+    speed = trajectory["speed_m_s"]
+    if "v1_m_s" not in trajectory:
+        return np.zeros(speed.size)
+    counts = (trajectory["penetration_m"] > 0) & (speed > 0.05 * speed.max())
+    across = np.hypot(trajectory["v2_m_s"], trajectory["v3_m_s"])
+    return np.where(counts, np.degrees(np.arctan2(across, np.abs(trajectory["v1_m_s"]))), 0.0)
+
+
+def attitude_notes(trajectory: Mapping[str, np.ndarray]) -> list[str]:
+    """What is to be said of a body that has turned far: its decelerations are along its axis, and its pitch is an elevation."""
+    notes, most, pitch = [], float(incidence(trajectory).max()), trajectory["pitch_deg"]
+    if most > TURNED:
+        notes.append(f"Decelerations are those along the body's axis, which stood at up to {most:.0f} deg to its path: accelerations are in trajectory.csv (ax, ay, az)")
+    if np.abs(pitch).max() > 85 and np.ptp(pitch) > TURNED:
+        notes.append("The pitch is the elevation of the axis, -90 to 90 deg, and has come to its end: its change is not the angle by which the body turned")
+    return notes
+
+
 def key_numbers(trajectory: Table, ledger: Table | None, extent: Table, body: Body = Body()) -> Quantities:
     """What the summary reports: of a body that starts in the liquid no contact, of one that is driven no loss of speed, of one that
     cannot turn no pitch.
@@ -195,8 +218,9 @@ def key_numbers(trajectory: Table, ledger: Table | None, extent: Table, body: Bo
     dry = trajectory["penetration_m"][0] < 0  # at the start
     emerged = extent["high_m"][0] > 0
     contact = crossing(time, trajectory["penetration_m"]) if dry else float("nan")
-    # A start-up transient before contact is no impact; it is reported apart. The start itself has loads, but no acceleration yet.
-    wet = time >= contact if np.isfinite(contact) else (time > time[0]) | (time.size == 1)
+    # A start-up transient before contact is no impact; it is reported apart. In the liquid the first steps bring the start's flow into
+    # that of the discrete equations: an impulse, whose force is the larger the shorter they are
+    wet = time >= contact if np.isfinite(contact) else np.arange(time.size) > min(STARTING, time.size - 2)
     slow = trajectory["deceleration_m_s2"]
     peak = int(np.argmax(np.where(wet, slow, -np.inf)))
     force = np.linalg.norm(fluid_force(trajectory), axis=0)
