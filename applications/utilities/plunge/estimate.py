@@ -81,7 +81,7 @@ def _probe(scene: Path, entries: dict[str, Any], resolution: float, run: Path) -
     method = coarse.options["method"]
     set_up, _ = _run([str(run / "Allrun"), "-setUp"], run, run / "log.Allrun")
     solver = coarse.flat["application"]
-    _, memory = _run([solver, *(["-threads", "1"] if method == "particles" else [])], run, run / f"log.{solver}", PROBE_SECONDS)
+    used, memory = _run([solver, *(["-threads", "1"] if method == "particles" else [])], run, run / f"log.{solver}", PROBE_SECONDS)
     log = (run / f"log.{solver}").read_text(errors="replace")
     count = cell_count(run) if method == "meshes" else sum(particle_counts(run))
     if method == "particles":
@@ -97,7 +97,8 @@ def _probe(scene: Path, entries: dict[str, Any], resolution: float, run: Path) -
     frames = [path for path in run.iterdir() if re.fullmatch(r"[0-9][0-9.e+-]*", path.name) and path.name != "0"]
     disk = (_directory_size(frames[0]) if frames else _directory_size(run / "0")) if method == "meshes" else \
         _directory_size(run / "VTK") / max(1, len(list((run / "VTK").glob("particles*.vt*"))))
-    return Probe(count, whole, cpu_seconds(run) / (count * steps), set_up / count, max(0.0, memory - _BASE_MEMORY) / count,
+    # A log that was cut off may have no time yet
+    return Probe(count, whole, (cpu_seconds(run) or used) / (count * steps), set_up / count, max(0.0, memory - _BASE_MEMORY) / count,
                  disk / 1000 / count), coarse
 
 

@@ -14,6 +14,11 @@ void Foam::freeSurfaceFlow::advectInterface()
         fringeVolume_->conserve(mixture_.alpha1(), scheme_->alphaPhi());
         mixture_.alpha2() = scalar(1) - mixture_.alpha1();
     }
+    else if (!composite_.isOverset())
+    {
+        // A restart finds them anew where what leaves has its cell's fraction
+        mixture_.alpha1().correctBoundaryConditions();
+    }
 
     if (alphaPhiUn_)
     {
