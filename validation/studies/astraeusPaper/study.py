@@ -53,10 +53,6 @@ RUNS = [
     *(Run(CASE, "meshes", f"{liquid}, mesh", "fast 0.5", given={"options": ["-fluids", liquid]}) for liquid in DENSITIES)]
 
 
-def track(done: Done):
-    return done.track
-
-
 def deceleration(done: Done, window: float = WINDOW) -> Signal:
     of = done.track
     return Signal(of["time_s"][1:], of["deceleration_m_s2"][1:]).mean(window)

@@ -87,9 +87,9 @@ def summary(name: str):
     return lambda done: read_numbers(done.path/"results/summary.csv")[name][0]
 
 
-def question(scene: str, variant: str) -> str:
+def question(run: Run) -> str:
     """That a run answers."""
-    return DEEP if variant == DEEP else scene
+    return DEEP if run.variant == DEEP else run.scene
 
 
 ANSWERS = {
@@ -122,7 +122,7 @@ def reference(done: Done, name: str) -> tuple[float, float] | None:
 def error(name: str):
     def of(done: Done) -> float | None:
         _, asked, value = ANSWERS[name]
-        known = reference(done, name) if question(done.run.scene, done.run.variant) == asked else None
+        known = reference(done, name) if question(done.run) == asked else None
         return 100*abs(value(done)/known[0] - 1) if known else None
     return of
 
@@ -153,7 +153,7 @@ def draw(done, file) -> None:
         axis.loglog([cost for cost, *_ in best], [off for _, off, _ in best], "o-", color="C3", label="front")
         for cost, off, label in of:
             axis.annotate(label, (cost, off), fontsize=6, xytext=(3, 3), textcoords="offset points")
-        axis.axhline(next(100*sure(each, name) for each in done if question(each.run.scene, each.run.variant) == ANSWERS[name][1] and reference(each, name)), color="0.5", linestyle=":", label="uncertainty of the reference")
+        axis.axhline(next(100*sure(each, name) for each in done if question(each.run) == ANSWERS[name][1] and reference(each, name)), color="0.5", linestyle=":", label="uncertainty of the reference")
         axis.set(xlabel="CPU time [s]", ylabel="error [%]", title=f"{ANSWERS[name][1]}: {name}")
         axis.legend(fontsize="small")
     picture.savefig(file, dpi=90)
@@ -189,7 +189,7 @@ study = Study(
     title="What accuracy costs: the whole ladder, from strips to fine meshes", runs=rungs(), solve=solve, after=writeErrors,
     sources=("src/freeSurfaceFlow", "src/oversetMethods", "src/rigidBody", "src/smoothedParticles", "src/slenderBody", "applications/solvers", "etc/methods/tiers"),
     quantities=[
-        *(Quantity(name, unit, lambda done, a=asked, of=of: of(done) if question(done.run.scene, done.run.variant) == a else None) for name, (unit, asked, of) in ANSWERS.items()),
+        *(Quantity(name, unit, lambda done, a=asked, of=of: of(done) if question(done.run) == a else None) for name, (unit, asked, of) in ANSWERS.items()),
         *(Quantity(f"error of {name}", "%", error(name)) for name in ANSWERS),
         *(Quantity(f"uncertainty of the reference of {name}", "%", lambda done, n=name, of=of: (
             100*sure(done, n) if (done.run.variant, done.run.resolution) == of and reference(done, n) else None))
